@@ -1,0 +1,43 @@
+#pragma once
+
+#include "LevelSetModel.h"
+#include "Projection.h"
+
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// A curve as traced: the points carry their tangents, which point onwards.
+struct TracedCurve
+{
+  std::vector<LevelSetPoint> points;
+  std::vector<Vector3d> tangents;
+  std::vector<double> steps; ///< widened sampling steps
+  bool closed = false;
+};
+
+/// The lengths a tracer works with, in sampling steps of the place (times how much wider than usual
+/// the neighbourhood is).
+struct TracingLimits
+{
+  double tolerance;      ///< of the projection, length
+  int maximumIterations; ///< of the projection
+  double widening;       ///< sqrt of the neighbourhood's size to the usual one, >= 1
+  double voidRadius;     ///< no sample within: outside the surface, unless the gap is narrower than
+                         ///< bridgedLength
+  double bridgedLength;  ///< widest gap a curve runs on across
+};
+
+/**
+ * Traces the curves of one level set by prediction and correction: from each seed that no curve has
+ * passed yet, along the tangent in both directions, until the curve closes, leaves the samples, or
+ * ends at a saddle of the same value.
+ *
+ * @param seeds points on the level set
+ */
+std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction& function,
+  double level, const std::vector<LevelSetPoint>& seeds, const TracingLimits& limits,
+  const Poll& poll);
+
+} // namespace SurfaceScalars

@@ -1,0 +1,192 @@
+#include "EdgeCrossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr std::size_t Grain = 4096;
+constexpr std::ptrdiff_t EdgesPerPoint = 8; // enough to meet every curve about once a sampling step
+
+struct LeveledCrossing
+{
+  Index level;
+  EdgeCrossing crossing;
+};
+
+/// Number of levels that each value has reached.
+std::vector<Index> rankValues(
+  const Values& values, const std::vector<double>& levels, const Execution& execution)
+{
+  std::vector<Index> ranks(static_cast<std::size_t>(values.size()));
+  parallelFor(ranks.size(), Grain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto above =
+          std::upper_bound(levels.begin(), levels.end(), values[static_cast<Eigen::Index>(i)]);
+        ranks[i] = static_cast<Index>(above - levels.begin());
+      }
+    });
+  return ranks;
+}
+
+class PointCrossings
+{
+public:
+  PointCrossings(const SampledFunction& function, const std::vector<double>& levels,
+    const std::vector<Index>& ranks)
+    : function_(function)
+    , levels_(levels)
+    , ranks_(ranks)
+  {
+  }
+
+  /// Appends, for each level that meets an edge at `point` on this point's half, the crossing
+  /// closest to the point.
+  void append(Index point, std::vector<LeveledCrossing>& result)
+  {
+    this->closest_.clear();
+    const Neighbors neighbors = this->function_.graph.neighbors(point);
+    const Index* last = std::min(neighbors.end(), neighbors.begin() + EdgesPerPoint);
+    for (const Index* neighbor = neighbors.begin(); neighbor < last; ++neighbor)
+    {
+      if (this->ranks_[*neighbor] != this->ranks_[point])
+      {
+        this->addEdge(point, *neighbor);
+      }
+    }
+    for (const Closest& closest : this->closest_)
+    {
+      result.push_back(closest.crossing);
+    }
+  }
+
+private:
+  struct Closest
+  {
+    LeveledCrossing crossing;
+    double distance;
+  };
+
+  void addEdge(Index point, Index neighbor)
+  {
+    const double here = this->function_.values[point];
+    const double there = this->function_.values[neighbor];
+    const auto [first, last] = std::minmax(this->ranks_[point], this->ranks_[neighbor]);
+    const double length =
+      (this->function_.graph.points().col(neighbor) - this->function_.graph.points().col(point))
+        .norm();
+    for (Index level = first; level < last; ++level)
+    {
+      // The ends lie on different sides, so they differ; rounding may still leave [0, 1].
+      const double parameter = std::clamp((this->levels_[level] - here) / (there - here), 0.0, 1.0);
+      // The other half belongs to the neighbour, if it knows of this edge.
+      if (parameter <= 0.5 || !this->function_.graph.isEdge(neighbor, point))
+      {
+        this->keepClosest({ { level, { point, neighbor, parameter } }, parameter * length });
+      }
+    }
+  }
+
+  void keepClosest(const Closest& candidate)
+  {
+    for (Closest& closest : this->closest_)
+    {
+      if (closest.crossing.level == candidate.crossing.level)
+      {
+        if (candidate.distance < closest.distance)
+        {
+          closest = candidate;
+        }
+        return;
+      }
+    }
+    this->closest_.push_back(candidate);
+  }
+
+  const SampledFunction& function_;
+  const std::vector<double>& levels_;
+  const std::vector<Index>& ranks_;
+  std::vector<Closest> closest_;
+};
+
+} // namespace
+
+LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& graph, double spacing)
+{
+  // The k-th neighbour is about sqrt(k / pi) steps away; farther points are reached in hops.
+  const double hopLength = 2.0;
+  const int hops = std::max(1, static_cast<int>(std::lround(spacing / hopLength)));
+  const auto neighbors =
+    static_cast<std::ptrdiff_t>(std::ceil(Pi * std::pow(std::min(spacing, hopLength), 2)));
+
+  std::vector<bool> blocked(crossings.size(), false);
+  std::vector<Index> reached;
+  const auto blockAround = [&](Index point)
+  {
+    reached.assign(1, point);
+    std::size_t begin = 0;
+    for (int hop = 0; hop < hops; ++hop)
+    {
+      const std::size_t end = reached.size();
+      for (; begin < end; ++begin)
+      {
+        const Neighbors around = graph.neighbors(reached[begin]);
+        reached.insert(
+          reached.end(), around.begin(), std::min(around.end(), around.begin() + neighbors));
+      }
+    }
+    for (const Index other : reached)
+    {
+      const auto crossing = std::lower_bound(crossings.begin(), crossings.end(), other,
+        [](const EdgeCrossing& a, Index b) { return a.from < b; });
+      if (crossing != crossings.end() && crossing->from == other)
+      {
+        blocked[static_cast<std::size_t>(crossing - crossings.begin())] = true;
+      }
+    }
+  };
+
+  LevelCrossings result;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    if (!blocked[i])
+    {
+      result.push_back(crossings[i]);
+      blockAround(crossings[i].from);
+    }
+  }
+  return result;
+}
+
+std::vector<LevelCrossings> findCrossings(
+  const SampledFunction& function, const std::vector<double>& levels, const Execution& execution)
+{
+  const std::vector<Index> ranks = rankValues(function.values, levels, execution.part(0.0, 0.2));
+  std::vector<std::vector<LeveledCrossing>> blocks((ranks.size() + Grain - 1) / Grain);
+  parallelFor(ranks.size(), Grain, execution.part(0.2, 1.0),
+    [&](std::size_t begin, std::size_t end)
+    {
+      PointCrossings crossings(function, levels, ranks);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        crossings.append(static_cast<Index>(i), blocks[begin / Grain]);
+      }
+    });
+  std::vector<LevelCrossings> result(levels.size());
+  for (const std::vector<LeveledCrossing>& block : blocks)
+  {
+    for (const LeveledCrossing& crossing : block)
+    {
+      result[crossing.level].push_back(crossing.crossing);
+    }
+  }
+  return result;
+}
+
+} // namespace SurfaceScalars

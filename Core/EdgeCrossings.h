@@ -1,0 +1,34 @@
+#pragma once
+
+#include "LevelSetModel.h"
+
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// Where a level meets an edge of the neighbour graph, f taken as linear along it (sec. 4.1).
+struct EdgeCrossing
+{
+  Index from;
+  Index to;
+  double parameter; ///< t of (1 - t) from + t to, in [0, 1]
+};
+
+/// The crossings of one level, ascending by `from`: at most one for each point, the one closest to
+/// it.
+using LevelCrossings = std::vector<EdgeCrossing>;
+
+/**
+ * Where ascending levels meet the edges from each point to its closest neighbours. Each point is
+ * ranked among the levels once; an edge meets the levels between the ranks of its ends. f < level
+ * is below, f >= level is above.
+ */
+std::vector<LevelCrossings> findCrossings(
+  const SampledFunction& function, const std::vector<double>& levels, const Execution& execution);
+
+/// Keeps crossings that lie about `spacing` sampling steps of the place (at least one) apart: of
+/// those of neighbouring points, one.
+LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& graph, double spacing);
+
+} // namespace SurfaceScalars

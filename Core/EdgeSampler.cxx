@@ -1,0 +1,112 @@
+#include "EdgeSampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceScalars
+{
+
+std::unique_ptr<LevelSetModel> makeModel(
+  const SampledFunction& function, const FitSize& size, const ContourParameters& parameters)
+{
+  return parameters.scheme == Scheme::ExplicitMLS
+    ? makeAverageModel(function, size, parameters.kernelWidth)
+    : makePolynomialModel(function, size, parameters.polynomialDegree);
+}
+
+EdgeSampler::EdgeSampler(const SampledFunction& function, const FitSize& size,
+  const ContourParameters& parameters, const TracingLimits& limits)
+  : function_(function)
+  , scheme_(parameters.scheme)
+  , surface_(parameters.surface)
+  , limits_(limits)
+  , model_(makeModel(function, size, parameters))
+{
+}
+
+/// F(q(t)) = level on the edge by Newton's method from the linear solution.
+double EdgeSampler::solveAlongEdge(
+  const Vector3d& from, const Vector3d& along, double parameter, double level)
+{
+  double t = parameter;
+  for (int i = 0; i < this->limits_.maximumIterations; ++i)
+  {
+    const double slope =
+      this->model_->centre(from + t * along) ? this->model_->valueGradient.dot(along) : 0.0;
+    const double next = std::clamp(t + (level - this->model_->value) / slope, 0.0, 1.0);
+    if (!std::isfinite(next))
+    {
+      return parameter;
+    }
+    const double moved = std::abs(next - t) * along.norm();
+    t = next;
+    if (moved <= this->limits_.tolerance)
+    {
+      break;
+    }
+  }
+  return t;
+}
+
+/// Along the normal onto g = 0.
+std::optional<Vector3d> EdgeSampler::projectOnSurface(Vector3d place)
+{
+  for (int i = 0; i < this->limits_.maximumIterations && this->model_->centre(place); ++i)
+  {
+    const Vector3d& gradient = this->model_->distanceGradient;
+    const Vector3d step = -this->model_->distance / gradient.squaredNorm() * gradient;
+    place += step;
+    if (!(step.norm() <= this->model_->reach))
+    {
+      return {};
+    }
+    if (step.norm() <= this->limits_.tolerance)
+    {
+      return place;
+    }
+  }
+  return {};
+}
+
+std::optional<LevelSetPoint> EdgeSampler::sample(const EdgeCrossing& crossing, double level)
+{
+  const Vector3d from = this->function_.graph.points().col(crossing.from);
+  const Vector3d along = this->function_.graph.points().col(crossing.to) - from;
+  const Vector3d linear = from + crossing.parameter * along;
+
+  std::optional<Vector3d> place;
+  if (this->surface_ == SurfaceModel::Unprojected)
+  {
+    const double parameter = this->scheme_ == Scheme::Linear
+      ? crossing.parameter
+      : this->solveAlongEdge(from, along, crossing.parameter, level);
+    place = from + parameter * along;
+  }
+  else if (this->scheme_ == Scheme::Linear)
+  {
+    place = this->projectOnSurface(linear);
+  }
+  else
+  {
+    const double step = this->function_.graph.samplingStep(crossing.from) * this->limits_.widening;
+    const std::optional<LevelSetPoint> point = project(*this->model_, level, linear,
+      { this->limits_.tolerance, 3.0 * step, this->limits_.maximumIterations });
+    if (point)
+    {
+      return point;
+    }
+  }
+
+  LevelSetPoint point;
+  point.position = place.value_or(linear);
+  point.converged = place.has_value();
+  if (!this->model_->centre(point.position))
+  {
+    return {};
+  }
+  point.residual = this->model_->firstOrderStep(level).norm();
+  point.normal = this->model_->normal();
+  return std::isfinite(point.residual) ? std::optional<LevelSetPoint>(point) : std::nullopt;
+}
+
+} // namespace SurfaceScalars

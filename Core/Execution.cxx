@@ -1,0 +1,110 @@
+#include "Execution.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+std::size_t threadsFor(const Execution& execution, std::size_t blocks)
+{
+  const std::size_t asked = execution.threadCount > 0
+    ? static_cast<std::size_t>(execution.threadCount)
+    : std::max(1u, std::thread::hardware_concurrency());
+  return std::min(asked, blocks);
+}
+
+} // namespace
+
+Execution Execution::part(double from, double to) const
+{
+  if (!this->progress)
+  {
+    return *this;
+  }
+  const Progress whole = this->progress;
+  return { this->threadCount,
+    [=](double fraction) { return whole(from + fraction * (to - from)); } };
+}
+
+void Execution::report(double fraction) const
+{
+  if (this->progress && !this->progress(fraction))
+  {
+    throw Aborted();
+  }
+}
+
+void parallelForEach(std::size_t count, const Execution& execution,
+  const std::function<void(std::size_t index, const Poll& poll)>& body)
+{
+  std::atomic<std::size_t> next{ 0 };
+  std::atomic<bool> stop{ false };
+  std::exception_ptr failure;
+  std::mutex failureMutex;
+
+  const auto work = [&](bool isCaller)
+  {
+    try
+    {
+      for (std::size_t index = next++; index < count && !stop; index = next++)
+      {
+        const Poll poll = [&, index]()
+        {
+          if (stop)
+          {
+            throw Aborted();
+          }
+          if (isCaller)
+          {
+            execution.report(static_cast<double>(index) / static_cast<double>(count));
+          }
+        };
+        poll();
+        body(index, poll);
+      }
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(failureMutex);
+      if (!stop.exchange(true))
+      {
+        failure = std::current_exception();
+      }
+    }
+  };
+
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < threadsFor(execution, count); ++i)
+  {
+    others.emplace_back(work, false);
+  }
+  work(true);
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  execution.report(1.0);
+}
+
+void parallelFor(
+  std::size_t count, std::size_t grain, const Execution& execution, const RangeBody& body)
+{
+  parallelForEach((count + grain - 1) / grain, execution,
+    [&](std::size_t block, const Poll&)
+    { body(block * grain, std::min(count, (block + 1) * grain)); });
+}
+
+} // namespace SurfaceScalars

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "LevelSets.h"
+#include "LocalFit.h"
+
+#include <memory>
+#include <optional>
+
+namespace SurfaceScalars
+{
+
+/// A function and its values at the points of a graph, the values scaled to [-1/2, 1/2] so that
+/// thresholds are fractions of its range.
+struct SampledFunction
+{
+  const NeighborGraph& graph;
+  Values values;
+  VolumeFunction volumeFunction; ///< scaled too, of places relative to graph.origin(); may be empty
+};
+
+/// A saddle of the local model.
+struct Saddle
+{
+  Vector3d position;
+  double value;
+};
+
+/**
+ * F and g of the point-set paper around one place, with what projection and tracing need of them.
+ * centre() builds the model of a place from the samples around it; the other functions ask that
+ * model and are valid after centre() returned true.
+ *
+ * Not for several threads at once: it holds the samples it works on.
+ */
+class LevelSetModel
+{
+public:
+  virtual ~LevelSetModel();
+
+  virtual bool centre(const Vector3d& place) = 0;
+
+  /// The place where F = level and g = 0 in the model as it is, found from `start`; none if there
+  /// is none nearby.
+  virtual std::optional<Vector3d> solve(double level, const Vector3d& start) const = 0;
+
+  /// A saddle close to the centre, if the model has one. Only the polynomial model looks for it.
+  virtual std::optional<Saddle> nearbySaddle() const { return {}; }
+
+  // At the centre:
+  double value = 0.0;        ///< F
+  Vector3d valueGradient;    ///< of F, in space
+  double distance = 0.0;     ///< g
+  Vector3d distanceGradient; ///< of g
+  double reach = 0.0;        ///< radius of the neighbourhood, length
+
+  Vector3d normal() const { return this->distanceGradient.normalized(); }
+  /// Along the level set, unit; larger values to the left, seen against normal(). Zero where F is
+  /// critical.
+  Vector3d tangent() const;
+  /// The first-order way to the common zero of F - level and g: the solution of least norm.
+  /// Infinite where F is critical.
+  Vector3d firstOrderStep(double level) const;
+
+  const Neighborhood& neighborhood() const
+  {
+    return this->neighborhood_;
+  } ///< last one gathered, around gatherPlace()
+  const Vector3d& gatherPlace() const { return this->gatherPlace_; }
+
+protected:
+  Neighborhood neighborhood_;
+  Vector3d gatherPlace_ = Vector3d::Zero();
+};
+
+/// Which samples a model uses.
+struct FitSize
+{
+  int count;     ///< k
+  double radius; ///< > 0 replaces count
+};
+
+/// Parameterised MLS: polynomials for surface and f over the tangent plane, (4)(5); f may be a
+/// volume function instead.
+std::unique_ptr<LevelSetModel> makePolynomialModel(
+  const SampledFunction& function, const FitSize& size, int degree);
+
+/// Explicit MLS: the average (6) for F and (2) for g; `kernelWidth` 0 = sigma / sqrt(3).
+std::unique_ptr<LevelSetModel> makeAverageModel(
+  const SampledFunction& function, const FitSize& size, double kernelWidth);
+
+} // namespace SurfaceScalars

@@ -1,0 +1,297 @@
+#include "LevelSets.h"
+
+#include "CurveTracer.h"
+#include "EdgeCrossings.h"
+#include "EdgeSampler.h"
+#include "Error.h"
+#include "NeighborhoodSize.h"
+#include "Orientation.h"
+#include "Polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+/// Takes f's range to [-1/2, 1/2]. Halves throughout: the range of finite values need not be
+/// finite.
+struct Scaling
+{
+  double middle;
+  double halfRange;
+
+  explicit Scaling(const ValuesRef& values)
+    : middle(0.5 * values.minCoeff() + 0.5 * values.maxCoeff())
+    , halfRange(0.5 * values.maxCoeff() - 0.5 * values.minCoeff())
+  {
+  }
+  double operator()(double value) const
+  {
+    return (0.5 * value - 0.5 * this->middle) / this->halfRange;
+  }
+};
+
+void require(bool condition, const char* expected, const std::string& found, const char* remedy)
+{
+  if (!condition)
+  {
+    throw InvalidInput(expected, found, remedy);
+  }
+}
+
+void checkParameters(
+  const NeighborGraph& graph, const ValuesRef& values, const ContourParameters& parameters)
+{
+  const auto finite = [](double value) { return std::isfinite(value); };
+  require(std::all_of(parameters.isoValues.begin(), parameters.isoValues.end(), finite),
+    "finite iso-values", "NaN or infinity", "Remove it from the list.");
+  require(values.size() == graph.pointCount() && values.allFinite(), "one finite value per point",
+    std::to_string(values.size()) + " values for " + std::to_string(graph.pointCount()) + " points",
+    "Leave points without a value out.");
+  require(
+    parameters.polynomialDegree >= 1 && parameters.polynomialDegree <= LocalFit::MaximumDegree,
+    "a polynomial degree from 1 to 4", std::to_string(parameters.polynomialDegree),
+    "Choose 2 if in doubt.");
+  const int terms = LocalFit::termCount(parameters.polynomialDegree);
+  const int fewest = terms + 1; // the point in the middle, and the sample at the rim weighs nothing
+  require(static_cast<int>(graph.pointCount()) >= fewest,
+    ("at least " + std::to_string(fewest) + " different points with a value to fit a surface")
+      .c_str(),
+    std::to_string(graph.pointCount()), "Choose a larger input or a lower PolynomialDegree.");
+  require(parameters.neighborCount == 0 || parameters.neighborCount >= fewest,
+    ("a NeighborCount of 0 (automatic) or at least " + std::to_string(fewest)).c_str(),
+    std::to_string(parameters.neighborCount), "Raise it or lower PolynomialDegree.");
+  for (const double length : { parameters.searchRadius, parameters.kernelWidth,
+         parameters.linkDistance, parameters.sampleSpacing })
+  {
+    require(std::isfinite(length) && length >= 0.0, "lengths of 0 (automatic) or more",
+      std::to_string(length), "Correct SearchRadius, KernelWidth, LinkDistance or SampleSpacing.");
+  }
+  require(parameters.tolerance > 0.0 && parameters.maximumIterations >= 1,
+    "a positive Tolerance and at least 1 iteration",
+    std::to_string(parameters.tolerance) + " and " + std::to_string(parameters.maximumIterations),
+    "Use 1e-7 and 20 if in doubt.");
+}
+
+class LevelSetTracing
+{
+public:
+  LevelSetTracing(const NeighborGraph& graph, const ValuesRef& values, const Scaling& scaling,
+    const ContourParameters& parameters, const Execution& execution);
+  LevelSets run(std::vector<double> isoValues);
+
+private:
+  void scaleVolumeFunction(const Scaling& scaling);
+  void chooseFitSize();
+  std::vector<LevelCrossings> findSpacedCrossings() const;
+  void sampleLevels(const std::vector<LevelCrossings>& crossings);
+  void traceLevels();
+  std::vector<LevelSetCurve> traceLevel(std::size_t level, const Poll& poll) const;
+  TracingLimits tracingLimits() const;
+  void collect(LevelSets& result);
+
+  ContourParameters parameters_;
+  Execution execution_;
+  SampledFunction function_;
+  FitSize fitSize_{ 0, 0.0 };
+  double widening_ = 1.0;
+  std::vector<double> levels_;                      ///< scaled iso-values
+  std::vector<std::vector<LevelSetPoint>> samples_; ///< per level
+  std::vector<std::vector<LevelSetCurve>> curves_;  ///< per level
+};
+
+LevelSetTracing::LevelSetTracing(const NeighborGraph& graph, const ValuesRef& values,
+  const Scaling& scaling, const ContourParameters& parameters, const Execution& execution)
+  : parameters_(parameters)
+  , execution_(execution)
+  , function_{ graph, values.unaryExpr(scaling), {} }
+{
+  if (parameters.volumeFunction)
+  {
+    this->scaleVolumeFunction(scaling);
+    this->execution_.threadCount = 1; // the caller's function need not be safe for more
+  }
+}
+
+void LevelSetTracing::scaleVolumeFunction(const Scaling& scaling)
+{
+  const Vector3d origin = this->function_.graph.origin();
+  const VolumeFunction function = this->parameters_.volumeFunction;
+  this->function_.volumeFunction = [=](const Vector3d& place, Vector3d* gradient)
+  {
+    const double value = function(place + origin, gradient);
+    if (gradient)
+    {
+      *gradient *= 0.5 / scaling.halfRange;
+    }
+    return scaling(value);
+  };
+}
+
+void LevelSetTracing::chooseFitSize()
+{
+  const NeighborGraph& graph = this->function_.graph;
+  this->fitSize_ = { this->parameters_.neighborCount, this->parameters_.searchRadius };
+  if (this->fitSize_.count == 0)
+  {
+    this->fitSize_.count = this->fitSize_.radius > 0.0
+      ? LocalFit::termCount(this->parameters_.polynomialDegree) + 1
+      : chooseNeighborCount(
+          this->function_, this->parameters_.polynomialDegree, this->execution_.part(0.0, 0.1));
+  }
+  const double steps = this->fitSize_.radius / graph.medianSamplingStep();
+  const double used = std::max<double>(this->fitSize_.count, Pi * steps * steps);
+  this->widening_ = std::sqrt(std::max(1.0, used / UsualNeighborCount));
+}
+
+TracingLimits LevelSetTracing::tracingLimits() const
+{
+  // Random samples leave a disc of radius r (in steps) empty with probability exp(-pi r^2) at a
+  // place; this radius makes an empty disc unlikely among all the places there are.
+  const double gap = 2.0 * std::sqrt(std::log(1e5 * this->function_.graph.pointCount()) / Pi);
+  const double link = this->parameters_.linkDistance;
+  return { this->parameters_.tolerance * this->function_.graph.medianSamplingStep(),
+    this->parameters_.maximumIterations, this->widening_, 0.5 * (link > 0.0 ? link : gap), link };
+}
+
+std::vector<LevelCrossings> LevelSetTracing::findSpacedCrossings() const
+{
+  std::vector<LevelCrossings> crossings =
+    findCrossings(this->function_, this->levels_, this->execution_.part(0.1, 0.15));
+  parallelForEach(crossings.size(), this->execution_.part(0.15, 0.2),
+    [&](std::size_t level, const Poll&)
+    { crossings[level] = thinned(crossings[level], this->function_.graph, this->widening_); });
+  return crossings;
+}
+
+void LevelSetTracing::sampleLevels(const std::vector<LevelCrossings>& crossings)
+{
+  // One list of all the crossings, so that one level keeps all threads busy too.
+  std::vector<std::size_t> ends;
+  std::size_t count = 0;
+  for (const LevelCrossings& ofLevel : crossings)
+  {
+    ends.push_back(count += ofLevel.size());
+  }
+  std::vector<std::optional<LevelSetPoint>> found(count);
+  parallelFor(count, 256, this->execution_.part(0.2, 0.6),
+    [&](std::size_t begin, std::size_t end)
+    {
+      EdgeSampler sampler(
+        this->function_, this->fitSize_, this->parameters_, this->tracingLimits());
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto level =
+          static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), i) - ends.begin());
+        const std::size_t first = ends[level] - crossings[level].size();
+        found[i] = sampler.sample(crossings[level][i - first], this->levels_[level]);
+      }
+    });
+  this->samples_.resize(crossings.size());
+  for (std::size_t i = 0, level = 0; i < count; ++i)
+  {
+    for (; i >= ends[level]; ++level)
+    {
+    }
+    if (found[i])
+    {
+      this->samples_[level].push_back(*found[i]);
+    }
+  }
+}
+
+std::vector<LevelSetCurve> LevelSetTracing::traceLevel(std::size_t level, const Poll& poll) const
+{
+  const std::unique_ptr<LevelSetModel> model =
+    makeModel(this->function_, this->fitSize_, this->parameters_);
+  std::vector<LevelSetCurve> curves;
+  for (TracedCurve& traced : traceCurves(*model, this->function_, this->levels_[level],
+         this->samples_[level], this->tracingLimits(), poll))
+  {
+    LevelSetCurve curve;
+    curve.level = level;
+    curve.component = static_cast<int>(curves.size());
+    curve.closed = traced.closed;
+    curve.points = std::move(traced.points);
+    curve.length = polylineLength(curve.points, curve.closed);
+    orientOutwards(curve.points);
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+void LevelSetTracing::traceLevels()
+{
+  this->curves_.resize(this->levels_.size());
+  parallelForEach(this->levels_.size(), this->execution_.part(0.6, 1.0),
+    [this](std::size_t level, const Poll& poll)
+    { this->curves_[level] = this->traceLevel(level, poll); });
+}
+
+void LevelSetTracing::collect(LevelSets& result)
+{
+  const Vector3d& origin = this->function_.graph.origin();
+  for (std::size_t level = 0; level < this->levels_.size(); ++level)
+  {
+    result.componentCounts.push_back(static_cast<int>(this->curves_[level].size()));
+    for (LevelSetCurve& curve : this->curves_[level])
+    {
+      for (LevelSetPoint& point : curve.points)
+      {
+        point.position += origin;
+      }
+      result.curves.push_back(std::move(curve));
+    }
+    for (LevelSetPoint& point : this->samples_[level])
+    {
+      orientOutwards(point);
+      point.position += origin;
+      result.samples.push_back({ level, point });
+    }
+  }
+  result.neighborCount = this->fitSize_.count;
+}
+
+LevelSets LevelSetTracing::run(std::vector<double> levels)
+{
+  this->levels_ = std::move(levels);
+  this->chooseFitSize();
+  this->sampleLevels(this->findSpacedCrossings());
+  this->traceLevels();
+  LevelSets result;
+  this->collect(result);
+  return result;
+}
+
+} // namespace
+
+LevelSets traceLevelSets(const NeighborGraph& graph, const ValuesRef& values,
+  const ContourParameters& parameters, const Execution& execution)
+{
+  checkParameters(graph, values, parameters);
+  std::vector<double> isoValues = parameters.isoValues;
+  std::sort(isoValues.begin(), isoValues.end());
+  isoValues.erase(std::unique(isoValues.begin(), isoValues.end()), isoValues.end());
+
+  LevelSets result;
+  const Scaling scaling(values);
+  if (scaling.halfRange > 0.0)
+  {
+    std::vector<double> levels(isoValues.size());
+    std::transform(isoValues.begin(), isoValues.end(), levels.begin(), scaling);
+    result = LevelSetTracing(graph, values, scaling, parameters, execution).run(std::move(levels));
+  }
+  else
+  {
+    result.componentCounts.assign(
+      isoValues.size(), 0); // constant: no edge has its ends on different sides
+  }
+  result.isoValues = std::move(isoValues);
+  return result;
+}
+
+} // namespace SurfaceScalars

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "Basics.h"
+#include "Execution.h"
+#include "NeighborGraph.h"
+#include "SurfaceScalarsCoreExport.h"
+
+#include <functional>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// How f is extended off its samples; the numbers are those of the public interface.
+enum class Scheme
+{
+  Linear = 0,          ///< linear along the edges of the neighbour graph
+  ExplicitMLS = 1,     ///< weighted average, (6)
+  ParameterizedMLS = 2 ///< polynomial over the tangent plane, (4)(5)
+};
+
+/// What the samples of a level set are put on.
+enum class SurfaceModel
+{
+  MLS = 0,        ///< the moving least-squares surface
+  Unprojected = 2 ///< nothing: they stay on the edges of the neighbour graph
+};
+
+enum class CurveFit
+{
+  Interpolate = 0, ///< curves through the points found
+  LeastSquares = 1 ///< a smooth spline near them (sec. 4.2)
+};
+
+/// F at a place (in the caller's coordinates), and its gradient if asked for (not null).
+using VolumeFunction = std::function<double(const Vector3d& place, Vector3d* gradient)>;
+
+struct ContourParameters
+{
+  std::vector<double> isoValues; ///< any order, duplicates count once
+  Scheme scheme = Scheme::ParameterizedMLS;
+  SurfaceModel surface = SurfaceModel::MLS;
+  VolumeFunction volumeFunction; ///< if set, F is this function exactly (sec. 4.3); called from one
+                                 ///< thread at a time
+  int polynomialDegree = 2;      ///< 1 to 4
+  int neighborCount = 0;         ///< of a local fit; 0 = from sampling and noise
+  double searchRadius = 0.0;     ///< length; > 0 replaces neighborCount
+  double kernelWidth = 0.0;      ///< h of (2) and (6), length; 0 = from the sampling
+  double linkDistance =
+    0.0; ///< widest hole bridged, in sampling steps; 0 = the widest gap of random sampling
+  double tolerance = 1e-7;    ///< of the projection onto the level set, in sampling steps
+  int maximumIterations = 20; ///< of that projection
+  CurveFit fit = CurveFit::Interpolate;
+  double sampleSpacing = 0.0; ///< distance of curve points, length; 0 = as traced
+};
+
+/// A point of a level set on the surface.
+struct LevelSetPoint
+{
+  Vector3d position;     ///< in the caller's coordinates: NeighborGraph::origin() is added
+  Vector3d normal;       ///< of the surface, unit
+  double residual = 0.0; ///< first-order distance to the common zero of F - alpha and g, length
+  bool converged = false;
+};
+
+/// A connected component of a level set, as an ordered polyline. Larger values of f lie to the
+/// left, seen against the normals.
+struct LevelSetCurve
+{
+  std::size_t level; ///< index into LevelSets::isoValues
+  int component;     ///< 0, 1, ... within the level
+  bool closed;       ///< the last point is joined to the first, which is not repeated
+  double length;
+  std::vector<LevelSetPoint> points;
+};
+
+/// One sample of a level set: where it meets an edge of the neighbour graph, projected (sec. 4.1).
+struct LevelSetSample
+{
+  std::size_t level;
+  LevelSetPoint point;
+};
+
+struct LevelSets
+{
+  std::vector<double> isoValues;     ///< ascending, distinct
+  std::vector<int> componentCounts;  ///< per iso-value: the evolution of the level sets (sec. 4.3)
+  std::vector<LevelSetCurve> curves; ///< by iso-value, then by component
+  std::vector<LevelSetSample> samples; ///< by iso-value
+  int neighborCount = 0;               ///< used by the local fits
+};
+
+/**
+ * The level sets of a function known at the points of a neighbour graph, as ordered curves
+ * (point-set paper, sec. 4).
+ *
+ * Edges whose ends lie on different sides of an iso-value give samples, which are projected onto {F
+ * = alpha, g = 0}, (14). From them the curves are traced by prediction and correction: linking
+ * samples by distance, as the paper does, joins and breaks curves at random where the sampling is
+ * random. The paper's averages (6), (2) can be chosen; the default fits polynomials to surface and
+ * function over the tangent plane, which is some thousand times more accurate.
+ *
+ * A sample belongs to the lower side if f < alpha, to the upper if f >= alpha: plateaus at an
+ * iso-value are on the upper side. An iso-value within 1e-6 of f's range from a saddle's value is
+ * critical: its curves end at the saddle.
+ *
+ * @param values one per point of the graph, finite
+ * @throws InvalidInput for unusable parameters or too few points; Aborted
+ */
+SURFACESCALARSCORE_EXPORT LevelSets traceLevelSets(const NeighborGraph& graph,
+  const ValuesRef& values, const ContourParameters& parameters, const Execution& execution = {});
+
+} // namespace SurfaceScalars

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "Basics.h"
+#include "SurfaceScalarsCoreExport.h"
+
+namespace SurfaceScalars
+{
+
+/// Samples around a place with their weights; points with weight 0 do not count.
+struct WeightedSamples
+{
+  Points points;
+  Values values;
+  Values weights;
+};
+
+/**
+ * Surface and function around a place as polynomials over the tangent plane: the parameterised
+ * moving least-squares fit (point-set paper, (4) and (5)), made for the height of the surface and
+ * for f with the same matrix.
+ *
+ * The frame is centred at the place; its normal is the eigenvector of the smallest eigenvalue of
+ * the weighted covariance. Heights and coordinates (u, v) are in length units along the unit axes
+ * of the frame; the normal's sign is arbitrary.
+ */
+class SURFACESCALARSCORE_EXPORT LocalFit
+{
+public:
+  static constexpr int MaximumDegree = 4;
+  static constexpr int MaximumTerms = (MaximumDegree + 1) * (MaximumDegree + 2) / 2;
+
+  /// Unknowns of a polynomial of this degree in two variables.
+  static constexpr int termCount(int degree) { return (degree + 1) * (degree + 2) / 2; }
+
+  /// Value, gradient and Hessian of one of the polynomials at a place of the tangent plane.
+  struct Jet
+  {
+    double value;
+    Vector2d gradient;
+    Eigen::Matrix2d hessian;
+  };
+
+  /**
+   * @param radius length that coordinates are scaled by inside: that of the neighbourhood
+   * @param degree 1 to 4
+   * @returns whether the samples determine polynomials of this degree: false where they lie
+   * (nearly) on a line or are too few
+   */
+  bool compute(const Vector3d& centre, const WeightedSamples& samples, double radius, int degree);
+
+  const Vector3d& centre() const { return this->centre_; }
+  const Eigen::Matrix3d& frame() const
+  {
+    return this->frame_;
+  } ///< columns: u axis, v axis, normal axis
+
+  Jet height(const Vector2d& uv) const { return this->jet(0, uv); }
+  Jet value(const Vector2d& uv) const { return this->jet(1, uv); }
+
+  Vector3d lift(const Vector2d& uv) const; ///< the point of the surface over (u, v)
+  Vector2d flatten(
+    const Vector3d& p) const; ///< (u, v) of the orthogonal projection onto the tangent plane
+  Vector3d normal(const Vector2d& uv) const; ///< of the surface, unit
+  Vector3d gradient(
+    const Vector2d& uv) const; ///< of f on the surface: tangential, f's unit per length
+
+  /// Root mean square of the weighted residuals, corrected for the number of unknowns.
+  double heightDeviation(const WeightedSamples& samples) const
+  {
+    return this->deviation(0, samples);
+  }
+  double valueDeviation(const WeightedSamples& samples) const
+  {
+    return this->deviation(1, samples);
+  }
+
+private:
+  Jet jet(int which, const Vector2d& uv) const;
+  double deviation(int which, const WeightedSamples& samples) const;
+  template <int Degree>
+  bool solve(const WeightedSamples& samples);
+
+  Vector3d centre_ = Vector3d::Zero();
+  Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
+  double scale_ = 1.0;
+  int degree_ = 0;
+  Eigen::Matrix<double, MaximumTerms, 2> coefficients_; ///< of height and f in (u, v) / scale
+};
+
+} // namespace SurfaceScalars

@@ -1,0 +1,267 @@
+#include "NeighborGraph.h"
+
+#include "Error.h"
+#include "MortonOrder.h"
+#include "PointTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr std::size_t Grain = 1024; // points per block of a parallel loop
+
+/// The points in Morton order without duplicates, and the way there from the caller's order.
+struct SortedPoints
+{
+  Points points;
+  Vector3d origin;
+  std::vector<Index> pointOfInput;
+  std::vector<Index> inputOfPoint;
+};
+
+Vector3d boxCentre(const PointsRef& points)
+{
+  const Vector3d low = points.rowwise().minCoeff();
+  return low + 0.5 * (points.rowwise().maxCoeff() - low);
+}
+
+SortedPoints sortPoints(const PointsRef& input, const Execution& execution)
+{
+  SortedPoints sorted;
+  const auto count = static_cast<std::size_t>(input.cols());
+  sorted.origin = boxCentre(input);
+  const std::vector<Index> order = mortonOrder(input, execution);
+  sorted.pointOfInput.resize(count);
+  sorted.inputOfPoint.reserve(count);
+  sorted.points.resize(3, input.cols());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool duplicate = i > 0 && input.col(order[i]) == input.col(order[i - 1]);
+    if (!duplicate)
+    {
+      sorted.points.col(static_cast<Eigen::Index>(sorted.inputOfPoint.size())) =
+        input.col(order[i]) - sorted.origin;
+      sorted.inputOfPoint.push_back(order[i]);
+    }
+    sorted.pointOfInput[order[i]] = static_cast<Index>(sorted.inputOfPoint.size() - 1);
+  }
+  if (sorted.inputOfPoint.size() < count)
+  {
+    sorted.points.conservativeResize(3, static_cast<Eigen::Index>(sorted.inputOfPoint.size()));
+  }
+  return sorted;
+}
+
+} // namespace
+
+struct NeighborGraph::Implementation
+{
+  SortedPoints sorted;
+  NeighborQuery query;
+  std::size_t count; ///< neighbours of each point if query.radius is 0
+  PointTree tree;
+  std::vector<std::size_t> offsets; ///< CSR row starts; empty if every point has `count` neighbours
+  std::vector<Index> indices;
+  double medianStep = 0.0;
+
+  Implementation(const PointsRef& points, const NeighborQuery& query, const Execution& execution);
+  std::size_t begin(Index point) const
+  {
+    return this->offsets.empty() ? point * this->count : this->offsets[point];
+  }
+  void linkNearest(const Execution& execution);
+  void linkWithin(const Execution& execution);
+};
+
+NeighborGraph::Implementation::Implementation(
+  const PointsRef& points, const NeighborQuery& neighborQuery, const Execution& execution)
+  : sorted(sortPoints(points, execution.part(0.0, 0.15)))
+  , query(neighborQuery)
+  , count(std::min<std::size_t>(
+      static_cast<std::size_t>(std::max(1, neighborQuery.count)), sorted.inputOfPoint.size() - 1))
+  , tree(sorted.points)
+{
+  execution.report(0.3);
+  if (this->query.radius > 0.0)
+  {
+    this->linkWithin(execution.part(0.3, 1.0));
+  }
+  else
+  {
+    this->linkNearest(execution.part(0.3, 1.0));
+  }
+}
+
+void NeighborGraph::Implementation::linkNearest(const Execution& execution)
+{
+  const std::size_t points = this->sorted.inputOfPoint.size();
+  this->indices.resize(points * this->count);
+  parallelFor(points, Grain, execution,
+    [this](std::size_t begin, std::size_t end)
+    {
+      NearestSearch search(this->tree, this->count + 1);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Index* nearest = search.around(this->sorted.points.col(static_cast<Eigen::Index>(i)));
+        std::copy(nearest + 1, nearest + 1 + this->count, &this->indices[i * this->count]);
+      }
+    });
+}
+
+void NeighborGraph::Implementation::linkWithin(const Execution& execution)
+{
+  const std::size_t points = this->sorted.inputOfPoint.size();
+  std::vector<std::vector<Index>> blocks((points + Grain - 1) / Grain);
+  this->offsets.assign(points + 1, 0);
+  parallelFor(points, Grain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      Neighborhood found;
+      std::vector<Index>& block = blocks[begin / Grain];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->tree.within(
+          this->sorted.points.col(static_cast<Eigen::Index>(i)), this->query.radius, found);
+        block.insert(block.end(), found.indices.begin() + 1, found.indices.end());
+        this->offsets[i + 1] = found.indices.size() - 1;
+      }
+    });
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    this->offsets[i + 1] += this->offsets[i];
+  }
+  this->indices.reserve(this->offsets.back());
+  for (std::vector<Index>& block : blocks)
+  {
+    this->indices.insert(this->indices.end(), block.begin(), block.end());
+    std::vector<Index>().swap(block);
+  }
+}
+
+NeighborGraph::NeighborGraph(
+  const PointsRef& points, const NeighborQuery& query, const Execution& execution)
+{
+  const std::string remedy = "Choose a larger input.";
+  if (points.cols() < 2)
+  {
+    throw InvalidInput("at least 2 points", std::to_string(points.cols()), remedy);
+  }
+  if (!points.allFinite())
+  {
+    throw InvalidInput("finite coordinates", "NaN or infinity", "Leave such points out.");
+  }
+  this->implementation_ = std::make_unique<Implementation>(points, query, execution);
+  if (this->pointCount() < 2)
+  {
+    throw InvalidInput("at least 2 different points",
+      std::to_string(points.cols()) + " points at one place", remedy);
+  }
+  std::vector<double> steps(this->pointCount());
+  parallelFor(steps.size(), Grain, { execution.threadCount, {} },
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        steps[i] = this->samplingStep(static_cast<Index>(i));
+      }
+    });
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  this->implementation_->medianStep = *middle;
+}
+
+NeighborGraph::~NeighborGraph() = default;
+NeighborGraph::NeighborGraph(NeighborGraph&&) noexcept = default;
+NeighborGraph& NeighborGraph::operator=(NeighborGraph&&) noexcept = default;
+
+Index NeighborGraph::pointCount() const
+{
+  return static_cast<Index>(this->implementation_->sorted.inputOfPoint.size());
+}
+
+const Points& NeighborGraph::points() const
+{
+  return this->implementation_->sorted.points;
+}
+
+const Vector3d& NeighborGraph::origin() const
+{
+  return this->implementation_->sorted.origin;
+}
+
+Neighbors NeighborGraph::neighbors(Index point) const
+{
+  const Index* indices = this->implementation_->indices.data();
+  return { indices + this->implementation_->begin(point),
+    indices + this->implementation_->begin(point + 1) };
+}
+
+bool NeighborGraph::isEdge(Index from, Index to) const
+{
+  const Neighbors neighbors = this->neighbors(from);
+  return std::find(neighbors.begin(), neighbors.end(), to) != neighbors.end();
+}
+
+double NeighborGraph::samplingStep(Index point) const
+{
+  const Neighbors neighbors = this->neighbors(point);
+  if (neighbors.size() == 0)
+  {
+    return this->implementation_->query.radius;
+  }
+  const Index farthest = *(neighbors.end() - 1);
+  const double sigma = (this->points().col(farthest) - this->points().col(point)).norm();
+  return sigma * std::sqrt(Pi / static_cast<double>(neighbors.size()));
+}
+
+double NeighborGraph::medianSamplingStep() const
+{
+  return this->implementation_->medianStep;
+}
+
+Index NeighborGraph::pointOfInput(std::size_t input) const
+{
+  return this->implementation_->sorted.pointOfInput[input];
+}
+
+std::size_t NeighborGraph::inputOfPoint(Index point) const
+{
+  return this->implementation_->sorted.inputOfPoint[point];
+}
+
+std::size_t NeighborGraph::inputCount() const
+{
+  return this->implementation_->sorted.pointOfInput.size();
+}
+
+Values NeighborGraph::average(const ValuesRef& values) const
+{
+  Values result = Values::Zero(this->pointCount());
+  Eigen::VectorXi weights = Eigen::VectorXi::Zero(this->pointCount());
+  for (std::size_t i = 0; i < this->inputCount(); ++i)
+  {
+    const Index point = this->pointOfInput(i);
+    // A running mean: a sum of huge values could overflow, and equal values must stay what they
+    // are.
+    result[point] += (values[static_cast<Eigen::Index>(i)] - result[point]) / ++weights[point];
+  }
+  return result;
+}
+
+void NeighborGraph::nearest(const Vector3d& place, int count, Neighborhood& result) const
+{
+  this->implementation_->tree.nearest(
+    place, std::min<std::size_t>(static_cast<std::size_t>(count), this->pointCount()), result);
+}
+
+void NeighborGraph::within(const Vector3d& place, double radius, Neighborhood& result) const
+{
+  this->implementation_->tree.within(place, radius, result);
+}
+
+} // namespace SurfaceScalars

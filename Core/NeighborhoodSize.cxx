@@ -1,0 +1,121 @@
+#include "NeighborhoodSize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr std::size_t Sites = 128;
+constexpr int LargestCount = 512;
+constexpr double WidthToNoise = 3.0; // of an admissible neighbourhood
+constexpr double VarianceShare =
+  8.0; // of the noise's variance in that of the fit's centre is this / k, for degree 2
+constexpr double BiasShare =
+  0.1; // of the misfit in the bias at the centre, squared: odd terms cancel there
+
+/// What fits of one size leave over, medians over the sites. Lengths.
+struct Misfit
+{
+  int count;
+  double squaredDeviation; ///< of surface and level set
+  double squaredHeightDeviation;
+  double squaredWidth; ///< of the neighbourhood
+};
+
+double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Fits at the samples themselves; the weights are those of the polynomial model.
+bool fitAt(const SampledFunction& function, Index point, int count, int degree, LocalFit& fit,
+  WeightedSamples& samples, double& width)
+{
+  Neighborhood near;
+  const Vector3d centre = function.graph.points().col(point);
+  function.graph.nearest(centre, count, near);
+  const auto found = static_cast<Eigen::Index>(near.indices.size());
+  samples.points.resize(3, found);
+  samples.values = Values::Zero(found);
+  samples.weights.resize(found);
+  const double squaredWidth = near.squaredDistances.back();
+  for (Eigen::Index i = 0; i < found; ++i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    const double w = 1.0 - near.squaredDistances[k] / squaredWidth;
+    samples.points.col(i) = function.graph.points().col(near.indices[k]);
+    samples.weights[i] = w * w;
+    if (function.values.size() > 0)
+    {
+      samples.values[i] = function.values[near.indices[k]];
+    }
+  }
+  width = std::sqrt(squaredWidth);
+  return fit.compute(centre, samples, width, degree);
+}
+
+Misfit measure(const SampledFunction& function, int count, int degree, const Execution& execution)
+{
+  const std::size_t points = function.graph.pointCount();
+  const std::size_t sites = std::min(Sites, points);
+  std::vector<double> heights(sites), values(sites), gradients(sites), widths(sites);
+  parallelFor(sites, 8, { execution.threadCount, {} },
+    [&](std::size_t begin, std::size_t end)
+    {
+      LocalFit fit;
+      WeightedSamples samples;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const auto point = static_cast<Index>((2 * i + 1) * points / (2 * sites));
+        const bool fitted = fitAt(function, point, count, degree, fit, samples, widths[i]);
+        heights[i] = fitted ? fit.heightDeviation(samples) : 0.0;
+        values[i] = fitted ? fit.valueDeviation(samples) : 0.0;
+        gradients[i] = fitted ? fit.gradient(Vector2d::Zero()).norm() : 0.0;
+      }
+    });
+  const double height = median(heights);
+  const double width = median(widths);
+  const double gradient = median(gradients);
+  const double value = gradient > 0.0 && !function.volumeFunction ? median(values) / gradient : 0.0;
+  // A function that is mostly flat has no position to be wrong about.
+  const double along = std::min(value, width);
+  return { count, height * height + along * along, height * height, width * width };
+}
+
+} // namespace
+
+int chooseNeighborCount(const SampledFunction& function, int degree, const Execution& execution)
+{
+  const int usual = UsualNeighborCount * LocalFit::termCount(degree) / LocalFit::termCount(2);
+  const int points = static_cast<int>(function.graph.pointCount());
+  std::vector<Misfit> misfits;
+  double noise = INFINITY;
+  for (int count = usual; count <= LargestCount && count <= points / 4; count += count / 2)
+  {
+    execution.report(static_cast<double>(count) / LargestCount);
+    const Misfit misfit = measure(function, count, degree, execution);
+    if (misfit.squaredWidth < WidthToNoise * WidthToNoise * misfit.squaredHeightDeviation)
+    {
+      continue;
+    }
+    noise = std::min(noise, misfit.squaredDeviation);
+    misfits.push_back(misfit);
+    if (misfit.squaredDeviation > 4.0 * noise)
+    {
+      break; // bias has taken over
+    }
+  }
+  const auto error = [&](const Misfit& misfit)
+  { return noise * VarianceShare / misfit.count + BiasShare * (misfit.squaredDeviation - noise); };
+  const auto best = std::min_element(misfits.begin(), misfits.end(),
+    [&](const Misfit& a, const Misfit& b) { return error(a) < error(b); });
+  return std::min(best == misfits.end() ? usual : best->count, points);
+}
+
+} // namespace SurfaceScalars

@@ -1,0 +1,261 @@
+#include "LevelSetModel.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr double LargestStep = 0.3;   // of one Newton iteration, in neighbourhood radii
+constexpr double TrustedRadius = 1.0; // places farther from the centre are not the model's business
+constexpr int NewtonIterations = 20;
+constexpr double NewtonTolerance = 1e-12; // in neighbourhood radii
+constexpr int LargestEnlargement = 8; // of a neighbourhood that does not determine the polynomials
+constexpr double LargestVoid = 0.5;   // distance to the nearest sample, in neighbourhood radii
+
+class PolynomialModel : public LevelSetModel
+{
+public:
+  PolynomialModel(const SampledFunction& function, const FitSize& size, int degree)
+    : function_(function)
+    , size_(size)
+    , degree_(degree)
+  {
+  }
+
+  bool centre(const Vector3d& place) override;
+  std::optional<Vector3d> solve(double level, const Vector3d& start) const override;
+  std::optional<Saddle> nearbySaddle() const override;
+
+private:
+  bool fit(const Vector3d& place, int count, int degree);
+  void gather(const Vector3d& place, int count);
+  double weigh(const Vector3d& place, int count);
+  bool isInVoid() const;
+  bool evaluateAtCentre();
+  double valueOn(const Vector2d& uv, Vector2d& gradient) const;
+
+  const SampledFunction& function_;
+  FitSize size_;
+  int degree_;
+  LocalFit fit_;
+  WeightedSamples samples_;
+  bool centred_ = false;
+  std::vector<double> squaredDistances_; // scratch
+  int gatheredCount_ = 0;                // asked for at the last gathering
+  double gatherMargin_ =
+    0.0; // how far from gatherPlace_ the samples gathered are still all that count
+};
+
+/// Fetches more samples than count, so that places nearby need no search.
+void PolynomialModel::gather(const Vector3d& place, int count)
+{
+  this->gatherPlace_ = place;
+  this->gatheredCount_ = count;
+  const int enough = count + count / 4 + 4;
+  if (this->size_.radius > 0.0)
+  {
+    this->function_.graph.within(place, 1.1 * this->size_.radius, this->neighborhood_);
+    this->gatherMargin_ = 0.1 * this->size_.radius;
+  }
+  if (!(this->size_.radius > 0.0) ||
+    this->neighborhood_.indices.size() < static_cast<std::size_t>(enough))
+  {
+    this->function_.graph.nearest(place, enough, this->neighborhood_);
+    const auto& squared = this->neighborhood_.squaredDistances;
+    const std::size_t last = std::min(squared.size(), static_cast<std::size_t>(count)) - 1;
+    this->gatherMargin_ = 0.5 * (std::sqrt(squared.back()) - std::sqrt(squared[last]));
+  }
+  const auto found = static_cast<Eigen::Index>(this->neighborhood_.indices.size());
+  this->samples_.points.resize(3, found);
+  this->samples_.values.resize(found);
+  this->samples_.weights.resize(found);
+  for (Eigen::Index i = 0; i < found; ++i)
+  {
+    const Index index = this->neighborhood_.indices[static_cast<std::size_t>(i)];
+    this->samples_.points.col(i) = this->function_.graph.points().col(index);
+    this->samples_.values[i] =
+      this->function_.values.size() > 0 ? this->function_.values[index] : 0.0;
+  }
+}
+
+/// Sets weights (1 - r^2 / radius^2)^2, which vanish smoothly at the count-th sample; returns that
+/// radius.
+double PolynomialModel::weigh(const Vector3d& place, int count)
+{
+  const Eigen::Index found = this->samples_.weights.size();
+  this->squaredDistances_.resize(static_cast<std::size_t>(found));
+  for (Eigen::Index i = 0; i < found; ++i)
+  {
+    this->samples_.weights[i] = (this->samples_.points.col(i) - place).squaredNorm();
+    this->squaredDistances_[static_cast<std::size_t>(i)] = this->samples_.weights[i];
+  }
+  const auto last = this->squaredDistances_.begin() + std::min<Eigen::Index>(count, found) - 1;
+  std::nth_element(this->squaredDistances_.begin(), last, this->squaredDistances_.end());
+  const double squaredRadius = std::max(*last, this->size_.radius * this->size_.radius);
+  for (Eigen::Index i = 0; i < found; ++i)
+  {
+    const double w = 1.0 - this->samples_.weights[i] / squaredRadius;
+    this->samples_.weights[i] = w > 0.0 ? w * w : 0.0;
+  }
+  return std::sqrt(squaredRadius);
+}
+
+bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
+{
+  if (this->gatheredCount_ != count ||
+    !((place - this->gatherPlace_).norm() <= this->gatherMargin_))
+  {
+    this->gather(place, count);
+  }
+  this->reach = this->weigh(place, count);
+  return this->fit_.compute(place, this->samples_, this->reach, degree);
+}
+
+bool PolynomialModel::isInVoid() const
+{
+  // The weight of the nearest sample, (1 - r^2 / radius^2)^2.
+  const double void_ = 1.0 - LargestVoid * LargestVoid;
+  return this->samples_.weights.maxCoeff() < void_ * void_;
+}
+
+bool PolynomialModel::centre(const Vector3d& place)
+{
+  if (!place.allFinite())
+  {
+    return false;
+  }
+  if (this->centred_ && place == this->fit_.centre())
+  {
+    return true;
+  }
+  // Samples on a few parallel lines do not determine the polynomials, nor do those around a hole
+  // across it: take more of them, then a lower degree.
+  const int all = static_cast<int>(this->function_.graph.pointCount());
+  for (int degree = this->degree_; degree >= 1; --degree)
+  {
+    for (int more = 1;; more *= 2)
+    {
+      const bool last = more == LargestEnlargement || this->size_.count * more >= all;
+      if (this->fit(place, this->size_.count * more, degree) && (last || !this->isInVoid()))
+      {
+        return this->centred_ = this->evaluateAtCentre();
+      }
+      if (last)
+      {
+        break;
+      }
+    }
+  }
+  return this->centred_ = false;
+}
+
+bool PolynomialModel::evaluateAtCentre()
+{
+  const Eigen::Matrix3d& frame = this->fit_.frame();
+  const LocalFit::Jet height = this->fit_.height(Vector2d::Zero());
+  this->distance = -height.value;
+  this->distanceGradient = frame * Vector3d(-height.gradient.x(), -height.gradient.y(), 1.0);
+  if (this->function_.volumeFunction)
+  {
+    this->value = this->function_.volumeFunction(this->fit_.centre(), &this->valueGradient);
+  }
+  else
+  {
+    const LocalFit::Jet f = this->fit_.value(Vector2d::Zero());
+    this->value = f.value;
+    this->valueGradient = frame.leftCols<2>() * f.gradient;
+  }
+  return std::isfinite(this->value) && this->valueGradient.allFinite();
+}
+
+/// F on the fitted surface as a function of the tangent plane's coordinates.
+double PolynomialModel::valueOn(const Vector2d& uv, Vector2d& gradient) const
+{
+  if (!this->function_.volumeFunction)
+  {
+    const LocalFit::Jet f = this->fit_.value(uv);
+    gradient = f.gradient;
+    return f.value;
+  }
+  Vector3d inSpace;
+  const double f = this->function_.volumeFunction(this->fit_.lift(uv), &inSpace);
+  const Vector3d local = this->fit_.frame().transpose() * inSpace;
+  gradient = local.head<2>() + local.z() * this->fit_.height(uv).gradient;
+  return f;
+}
+
+std::optional<Vector3d> PolynomialModel::solve(double level, const Vector3d& start) const
+{
+  const double radius = this->reach;
+  Vector2d uv = this->fit_.flatten(start);
+  for (int i = 0; i < NewtonIterations; ++i)
+  {
+    Vector2d gradient;
+    const double missing = level - this->valueOn(uv, gradient);
+    const double squared = gradient.squaredNorm();
+    if (!(squared > 0.0))
+    {
+      return {};
+    }
+    Vector2d step = (missing / squared) * gradient;
+    const double length = step.norm();
+    if (!std::isfinite(length))
+    {
+      return {};
+    }
+    step *= std::min(1.0, LargestStep * radius / length);
+    uv += step;
+    if (uv.norm() > TrustedRadius * radius)
+    {
+      return {};
+    }
+    if (length <= NewtonTolerance * radius)
+    {
+      return this->fit_.lift(uv);
+    }
+  }
+  return {};
+}
+
+std::optional<Saddle> PolynomialModel::nearbySaddle() const
+{
+  if (this->function_.volumeFunction)
+  {
+    return {};
+  }
+  Vector2d uv = Vector2d::Zero();
+  for (int i = 0; i < NewtonIterations; ++i)
+  {
+    const LocalFit::Jet f = this->fit_.value(uv);
+    if (!(f.hessian.determinant() < 0.0))
+    {
+      return {};
+    }
+    const Vector2d step = f.hessian.inverse() * f.gradient;
+    uv -= step;
+    if (!(uv.norm() <= 0.5 * this->reach))
+    {
+      return {};
+    }
+    if (step.norm() <= NewtonTolerance * this->reach)
+    {
+      return Saddle{ this->fit_.lift(uv), this->fit_.value(uv).value };
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+std::unique_ptr<LevelSetModel> makePolynomialModel(
+  const SampledFunction& function, const FitSize& size, int degree)
+{
+  return std::make_unique<PolynomialModel>(function, size, degree);
+}
+
+} // namespace SurfaceScalars
