@@ -1,5 +1,6 @@
 #include "LevelSets.h"
 
+#include "CurveShaper.h"
 #include "CurveTracer.h"
 #include "EdgeCrossings.h"
 #include "EdgeSampler.h"
@@ -7,6 +8,7 @@
 #include "NeighborhoodSize.h"
 #include "Orientation.h"
 #include "Polyline.h"
+#include "SampleThreading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,10 +210,23 @@ std::vector<LevelSetCurve> LevelSetTracing::traceLevel(std::size_t level, const 
 {
   const std::unique_ptr<LevelSetModel> model =
     makeModel(this->function_, this->fitSize_, this->parameters_);
-  std::vector<LevelSetCurve> curves;
-  for (TracedCurve& traced : traceCurves(*model, this->function_, this->levels_[level],
-         this->samples_[level], this->tracingLimits(), poll))
+  const TracingLimits limits = this->tracingLimits();
+  const bool onLevelSet = this->parameters_.scheme != Scheme::Linear &&
+    this->parameters_.surface != SurfaceModel::Unprojected;
+  const CurveShaper shape(*model, this->levels_[level], limits,
+    { this->parameters_.fit, this->parameters_.sampleSpacing, onLevelSet });
+
+  std::vector<TracedCurve> tracedCurves =
+    traceCurves(*model, this->function_, this->levels_[level], this->samples_[level], limits, poll);
+  if (!onLevelSet)
   {
+    tracedCurves = threadSamples(tracedCurves, this->samples_[level]);
+  }
+  std::vector<LevelSetCurve> curves;
+  for (const TracedCurve& tracedCurve : tracedCurves)
+  {
+    poll();
+    TracedCurve traced = shape(tracedCurve);
     LevelSetCurve curve;
     curve.level = level;
     curve.component = static_cast<int>(curves.size());

@@ -17,6 +17,16 @@ inline double distanceToSegment(const Vector3d& place, const Vector3d& a, const 
   return (place - a - t * along).norm();
 }
 
+inline Points positionsOf(const std::vector<LevelSetPoint>& points)
+{
+  Points positions(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    positions.col(static_cast<Eigen::Index>(i)) = points[i].position;
+  }
+  return positions;
+}
+
 inline double polylineLength(const std::vector<LevelSetPoint>& points, bool closed)
 {
   double length = 0.0;

@@ -13,16 +13,6 @@ namespace
 constexpr double PassedDistance = 0.75;
 constexpr double PassedBeyondEnd = 2.5;
 
-Points positionsOf(const std::vector<LevelSetPoint>& seeds)
-{
-  Points positions(3, static_cast<Eigen::Index>(seeds.size()));
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-  {
-    positions.col(static_cast<Eigen::Index>(i)) = seeds[i].position;
-  }
-  return positions;
-}
-
 } // namespace
 
 SeedCover::SeedCover(const std::vector<LevelSetPoint>& seeds)
