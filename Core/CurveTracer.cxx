@@ -27,7 +27,7 @@ constexpr double Overhang =
 constexpr double OutlierFraction = 0.02;
 constexpr double EndPrecision = 0.1;
 constexpr double ShortestCurve = 1.0;
-constexpr double SaddleDistance = 1.0;
+constexpr double SaddleDistance = 2.5; // more than a step: it must not be stepped over
 constexpr double CriticalFraction =
   1e-6; // of f's range: a level this close to a saddle's value is critical
 
@@ -37,6 +37,7 @@ struct Station
   LevelSetPoint point;
   Vector3d direction;
   double step;           ///< widened sampling step of the place
+  double nearest = 0.0;  ///< distance to the nearest sample
   bool supported = true; ///< samples around it: it lies on the sampled surface
 };
 
@@ -70,7 +71,7 @@ private:
   End extend(std::vector<Station>& path, bool mayClose);
   std::optional<Station> advance(const Station& from, double& step);
   std::optional<Station> tryStep(const Station& from, double step);
-  bool supports(const LevelSetPoint& point);
+  void measureSupport(Station& station);
   bool closes(const std::vector<Station>& path, const Station& next, double length) const;
   std::optional<Station> saddleAhead(const Station& station);
   TracedCurve join(const std::vector<Station>& forward, const std::vector<Station>& backward) const;
@@ -96,13 +97,12 @@ double Tracer::stepAround() const
   return sum / static_cast<double>(count) * this->limits_.widening;
 }
 
-/// Whether the place is among samples: not deep in a void and not beyond the last samples of the
-/// surface.
-bool Tracer::supports(const LevelSetPoint& point)
+/// Whether a station is among samples: not deep in a void and not beyond the last samples of the surface.
+void Tracer::measureSupport(Station& station)
 {
   const Neighborhood& around = this->model_.neighborhood();
   const auto offsetOf = [&](Index i) -> Vector3d
-  { return this->function_.graph.points().col(i) - point.position; };
+  { return this->function_.graph.points().col(i) - station.point.position; };
   Vector3d mean = Vector3d::Zero();
   double nearest = INFINITY;
   for (const Index i : around.indices)
@@ -111,14 +111,11 @@ bool Tracer::supports(const LevelSetPoint& point)
     mean += offset;
     nearest = std::min(nearest, offset.squaredNorm());
   }
-  const double step = this->stepAround();
-  if (std::sqrt(nearest) > this->limits_.voidRadius * step)
-  {
-    return false;
-  }
+  station.nearest = std::sqrt(nearest);
   // How far all samples, but for outliers, lie to the one side: the distance across to the edge of
   // the surface.
-  const Vector3d inwards = (mean - point.normal * point.normal.dot(mean)).normalized();
+  const Vector3d& normal = station.point.normal;
+  const Vector3d inwards = (mean - normal * normal.dot(mean)).normalized();
   this->across_.clear();
   for (const Index i : around.indices)
   {
@@ -127,7 +124,8 @@ bool Tracer::supports(const LevelSetPoint& point)
   const auto edge = this->across_.begin() +
     static_cast<std::ptrdiff_t>(OutlierFraction * static_cast<double>(this->across_.size()));
   std::nth_element(this->across_.begin(), edge, this->across_.end());
-  return *edge <= Overhang * step / this->limits_.widening;
+  station.supported = station.nearest <= this->limits_.voidRadius * station.step &&
+    *edge <= Overhang * station.step / this->limits_.widening;
 }
 
 std::optional<Station> Tracer::tryStep(const Station& from, double step)
@@ -167,7 +165,7 @@ std::optional<Station> Tracer::advance(const Station& from, double& step)
     {
       const double turn = std::acos(std::clamp(next->direction.dot(from.direction), -1.0, 1.0));
       step *= std::clamp(WantedTurn / std::max(turn, 1e-6), 0.5, 1.5);
-      next->supported = this->supports(next->point);
+      this->measureSupport(*next);
       return next;
     }
     if (!this->model_.centre(from.point.position))
@@ -203,7 +201,7 @@ std::optional<Station> Tracer::saddleAhead(const Station& station)
   {
     const Vector3d last = saddle->position;
     if (!this->model_.centre(last) || !(saddle = this->model_.nearbySaddle()) ||
-      !within(*saddle, 2.0 * SaddleDistance))
+      !within(*saddle, SaddleDistance))
     {
       return {};
     }
@@ -233,14 +231,20 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
 {
   double step = FirstStep * path.back().step;
   double length = 0.0;
-  double unsupported = 0.0;
+  double gap = 0.0; // from the last sample passed
   std::size_t lastSupported = path.size();
-  for (std::size_t i = 0;
-       i < this->mostStations_ && unsupported <= this->limits_.bridgedLength * path.back().step;
-       ++i)
+  for (std::size_t i = 0; i < this->mostStations_; ++i)
   {
     this->poll_();
-    const std::optional<Station> next = this->advance(path.back(), step);
+    if (const std::optional<Station> saddle = this->saddleAhead(path.back()))
+    {
+      path.push_back(*saddle);
+      return End::Open;
+    }
+    // The search for saddles moves the model.
+    const std::optional<Station> next = this->model_.centre(path.back().point.position)
+      ? this->advance(path.back(), step)
+      : std::nullopt;
     if (!next)
     {
       break;
@@ -249,11 +253,13 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
     if (!next->supported && path.back().supported && chord > EndPrecision * next->step)
     {
       step = 0.5 * chord; // find the place where the surface ends
-      if (!this->model_.centre(path.back().point.position))
-      {
-        break;
-      }
       continue;
+    }
+    gap = (path.back().supported ? path.back().nearest : gap) + chord;
+    if ((!next->supported || !path.back().supported) &&
+      gap + next->nearest > this->limits_.linkDistance * next->step)
+    {
+      break;
     }
     length += chord;
     if (mayClose && this->closes(path, *next, length))
@@ -261,17 +267,7 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
       return End::Closed;
     }
     path.push_back(*next);
-    unsupported = next->supported ? 0.0 : unsupported + chord;
     lastSupported = next->supported ? path.size() : lastSupported;
-    if (const std::optional<Station> saddle = this->saddleAhead(*next))
-    {
-      path.push_back(*saddle);
-      return End::Open;
-    }
-    if (!this->model_.centre(next->point.position)) // the search for saddles may have moved it
-    {
-      break;
-    }
   }
   path.resize(lastSupported, path.front());
   return End::Open;
@@ -284,6 +280,7 @@ TracedCurve Tracer::join(
   for (auto station = backward.rbegin(); station + 1 < backward.rend(); ++station)
   {
     curve.points.push_back(station->point);
+    curve.points.back().normal = -station->point.normal; // it was kept on the other side of the direction
     curve.tangents.push_back(-station->direction);
     curve.steps.push_back(station->step);
   }
@@ -303,11 +300,13 @@ std::optional<Station> Tracer::start(const LevelSetPoint& seed)
     this->limits_.maximumIterations };
   const std::optional<LevelSetPoint> point =
     project(this->model_, this->level_, seed.position, limits);
-  if (!point || this->model_.tangent().isZero() || !this->supports(*point))
+  if (!point || this->model_.tangent().isZero())
   {
     return {};
   }
-  return Station{ *point, this->model_.tangent(), this->stepAround() };
+  Station station{ *point, this->model_.tangent(), this->stepAround() };
+  this->measureSupport(station);
+  return station.supported ? std::optional<Station>(station) : std::nullopt;
 }
 
 TracedCurve Tracer::trace(const Station& start)

@@ -24,9 +24,8 @@ struct TracingLimits
   double tolerance;      ///< of the projection, length
   int maximumIterations; ///< of the projection
   double widening;       ///< sqrt of the neighbourhood's size to the usual one, >= 1
-  double voidRadius;     ///< no sample within: outside the surface, unless the gap is narrower than
-                         ///< bridgedLength
-  double bridgedLength;  ///< widest gap a curve runs on across
+  double voidRadius;     ///< no sample within: a hole, not a gap of random sampling
+  double linkDistance;   ///< widest hole that a curve runs on across
 };
 
 /**

@@ -10,6 +10,8 @@
 #include "Polyline.h"
 #include "SampleThreading.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -73,10 +75,29 @@ void checkParameters(
     require(std::isfinite(length) && length >= 0.0, "lengths of 0 (automatic) or more",
       std::to_string(length), "Correct SearchRadius, KernelWidth, LinkDistance or SampleSpacing.");
   }
-  require(parameters.tolerance > 0.0 && parameters.maximumIterations >= 1,
-    "a positive Tolerance and at least 1 iteration",
+  require(
+    parameters.tolerance > 0.0 && std::isfinite(parameters.tolerance) && parameters.maximumIterations >= 1,
+    "a positive finite Tolerance and at least 1 iteration",
     std::to_string(parameters.tolerance) + " and " + std::to_string(parameters.maximumIterations),
     "Use 1e-7 and 20 if in doubt.");
+}
+
+/// The samples must spread over a surface: on a line they determine neither normals nor curves.
+void checkSpread(const NeighborGraph& graph)
+{
+  const Points& points = graph.points();
+  const Vector3d mean = points.rowwise().mean();
+  const double size = points.cwiseAbs().maxCoeff();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  {
+    const Vector3d offset = (points.col(i) - mean) / size;
+    covariance += offset * offset.transpose();
+  }
+  const Vector3d variances =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues();
+  require(variances[1] > 1e-20 * variances[2], "points spread over a surface",
+    std::to_string(points.cols()) + " points on one line", "Choose another input.");
 }
 
 class LevelSetTracing
@@ -152,12 +173,16 @@ void LevelSetTracing::chooseFitSize()
 
 TracingLimits LevelSetTracing::tracingLimits() const
 {
-  // Random samples leave a disc of radius r (in steps) empty with probability exp(-pi r^2) at a
-  // place; this radius makes an empty disc unlikely among all the places there are.
-  const double gap = 2.0 * std::sqrt(std::log(1e5 * this->function_.graph.pointCount()) / Pi);
+  // Random samples leave a disc of radius r (in steps) empty with probability exp(-pi r^2) at a place; this radius makes
+  // an empty disc unlikely among all the places there are.
+  double voidRadius = std::sqrt(std::log(1e5 * this->function_.graph.pointCount()) / Pi);
   const double link = this->parameters_.linkDistance;
+  if (link > 0.0)
+  {
+    voidRadius = std::min(voidRadius, 0.5 * link);
+  }
   return { this->parameters_.tolerance * this->function_.graph.medianSamplingStep(),
-    this->parameters_.maximumIterations, this->widening_, 0.5 * (link > 0.0 ? link : gap), link };
+    this->parameters_.maximumIterations, this->widening_, voidRadius, link };
 }
 
 std::vector<LevelCrossings> LevelSetTracing::findSpacedCrossings() const
@@ -288,6 +313,7 @@ LevelSets traceLevelSets(const NeighborGraph& graph, const ValuesRef& values,
   const ContourParameters& parameters, const Execution& execution)
 {
   checkParameters(graph, values, parameters);
+  checkSpread(graph);
   std::vector<double> isoValues = parameters.isoValues;
   std::sort(isoValues.begin(), isoValues.end());
   isoValues.erase(std::unique(isoValues.begin(), isoValues.end()), isoValues.end());

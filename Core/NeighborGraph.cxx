@@ -33,19 +33,21 @@ Vector3d boxCentre(const PointsRef& points)
 SortedPoints sortPoints(const PointsRef& input, const Execution& execution)
 {
   SortedPoints sorted;
-  const auto count = static_cast<std::size_t>(input.cols());
   sorted.origin = boxCentre(input);
-  const std::vector<Index> order = mortonOrder(input, execution);
+  // Centred before all else: what becomes equal by that is a duplicate too.
+  const Points centred = input.colwise() - sorted.origin;
+  const auto count = static_cast<std::size_t>(input.cols());
+  const std::vector<Index> order = mortonOrder(centred, execution);
   sorted.pointOfInput.resize(count);
   sorted.inputOfPoint.reserve(count);
   sorted.points.resize(3, input.cols());
   for (std::size_t i = 0; i < count; ++i)
   {
-    const bool duplicate = i > 0 && input.col(order[i]) == input.col(order[i - 1]);
+    const bool duplicate = i > 0 && centred.col(order[i]) == centred.col(order[i - 1]);
     if (!duplicate)
     {
       sorted.points.col(static_cast<Eigen::Index>(sorted.inputOfPoint.size())) =
-        input.col(order[i]) - sorted.origin;
+        centred.col(order[i]);
       sorted.inputOfPoint.push_back(order[i]);
     }
     sorted.pointOfInput[order[i]] = static_cast<Index>(sorted.inputOfPoint.size() - 1);

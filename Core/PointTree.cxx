@@ -55,6 +55,10 @@ public:
 
   bool addPoint(double distance, Index index)
   {
+    if (distance >= this->worst_) // nanoflann asks for the bound only once per leaf
+    {
+      return true;
+    }
     std::size_t i = this->full() ? this->capacity_ - 1 : this->count_++;
     for (; i > 0 && this->distances_[i - 1] > distance; --i)
     {

@@ -238,7 +238,7 @@ std::optional<Saddle> PolynomialModel::nearbySaddle() const
     }
     const Vector2d step = f.hessian.inverse() * f.gradient;
     uv -= step;
-    if (!(uv.norm() <= 0.5 * this->reach))
+    if (!(uv.norm() <= 0.9 * this->reach))
     {
       return {};
     }
