@@ -68,6 +68,10 @@ private:
 
   /// Widened sampling step where the model is.
   double stepAround() const;
+  double samplingStep(const Station& station) const
+  {
+    return station.step / this->limits_.widening;
+  }
   End extend(std::vector<Station>& path, bool mayClose);
   std::optional<Station> advance(const Station& from, double& step);
   std::optional<Station> tryStep(const Station& from, double step);
@@ -88,13 +92,12 @@ private:
 double Tracer::stepAround() const
 {
   const Neighborhood& around = this->model_.neighborhood();
-  const std::size_t count = std::min<std::size_t>(4, around.indices.size());
   double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (const Index i : around.indices)
   {
-    sum += this->function_.graph.samplingStep(around.indices[i]);
+    sum += this->function_.graph.samplingStep(i);
   }
-  return sum / static_cast<double>(count) * this->limits_.widening;
+  return sum / static_cast<double>(around.indices.size()) * this->limits_.widening;
 }
 
 /// Whether a station is among samples: not deep in a void and not beyond the last samples of the surface.
@@ -124,8 +127,9 @@ void Tracer::measureSupport(Station& station)
   const auto edge = this->across_.begin() +
     static_cast<std::ptrdiff_t>(OutlierFraction * static_cast<double>(this->across_.size()));
   std::nth_element(this->across_.begin(), edge, this->across_.end());
-  station.supported = station.nearest <= this->limits_.voidRadius * station.step &&
-    *edge <= Overhang * station.step / this->limits_.widening;
+  const double step = this->samplingStep(station);
+  station.supported =
+    station.nearest <= this->limits_.voidRadius * step && *edge <= Overhang * step;
 }
 
 std::optional<Station> Tracer::tryStep(const Station& from, double step)
@@ -257,7 +261,7 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
     }
     gap = (path.back().supported ? path.back().nearest : gap) + chord;
     if ((!next->supported || !path.back().supported) &&
-      gap + next->nearest > this->limits_.linkDistance * next->step)
+      gap + next->nearest > this->limits_.linkDistance * this->samplingStep(*next))
     {
       break;
     }

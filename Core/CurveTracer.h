@@ -17,13 +17,12 @@ struct TracedCurve
   bool closed = false;
 };
 
-/// The lengths a tracer works with, in sampling steps of the place (times how much wider than usual
-/// the neighbourhood is).
+/// The lengths a tracer works with, in sampling steps of the place unless said otherwise.
 struct TracingLimits
 {
   double tolerance;      ///< of the projection, length
   int maximumIterations; ///< of the projection
-  double widening;       ///< sqrt of the neighbourhood's size to the usual one, >= 1
+  double widening;       ///< of the step along curves: sqrt of the neighbourhood's size to the usual one
   double voidRadius;     ///< no sample within: a hole, not a gap of random sampling
   double linkDistance;   ///< widest hole that a curve runs on across
 };

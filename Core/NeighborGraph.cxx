@@ -69,6 +69,7 @@ struct NeighborGraph::Implementation
   PointTree tree;
   std::vector<std::size_t> offsets; ///< CSR row starts; empty if every point has `count` neighbours
   std::vector<Index> indices;
+  std::vector<double> steps; ///< sampling steps
   double medianStep = 0.0;
 
   Implementation(const PointsRef& points, const NeighborQuery& query, const Execution& execution);
@@ -78,6 +79,8 @@ struct NeighborGraph::Implementation
   }
   void linkNearest(const Execution& execution);
   void linkWithin(const Execution& execution);
+  double samplingStep(Index point) const;
+  void measureSteps(const Execution& execution);
 };
 
 NeighborGraph::Implementation::Implementation(
@@ -145,6 +148,37 @@ void NeighborGraph::Implementation::linkWithin(const Execution& execution)
   }
 }
 
+double NeighborGraph::Implementation::samplingStep(Index point) const
+{
+  const std::size_t begin = this->begin(point);
+  const std::size_t end = this->begin(point + 1);
+  if (begin == end)
+  {
+    return this->query.radius;
+  }
+  const double sigma = (this->sorted.points.col(this->indices[end - 1]) -
+    this->sorted.points.col(point))
+                         .norm();
+  return sigma * std::sqrt(Pi / static_cast<double>(end - begin));
+}
+
+void NeighborGraph::Implementation::measureSteps(const Execution& execution)
+{
+  this->steps.resize(this->sorted.inputOfPoint.size());
+  parallelFor(this->steps.size(), Grain, { execution.threadCount, {} },
+    [this](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->steps[i] = this->samplingStep(static_cast<Index>(i));
+      }
+    });
+  std::vector<double> ordered = this->steps;
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  this->medianStep = *middle;
+}
+
 NeighborGraph::NeighborGraph(
   const PointsRef& points, const NeighborQuery& query, const Execution& execution)
 {
@@ -163,18 +197,7 @@ NeighborGraph::NeighborGraph(
     throw InvalidInput("at least 2 different points",
       std::to_string(points.cols()) + " points at one place", remedy);
   }
-  std::vector<double> steps(this->pointCount());
-  parallelFor(steps.size(), Grain, { execution.threadCount, {} },
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        steps[i] = this->samplingStep(static_cast<Index>(i));
-      }
-    });
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  this->implementation_->medianStep = *middle;
+  this->implementation_->measureSteps(execution);
 }
 
 NeighborGraph::~NeighborGraph() = default;
@@ -211,14 +234,7 @@ bool NeighborGraph::isEdge(Index from, Index to) const
 
 double NeighborGraph::samplingStep(Index point) const
 {
-  const Neighbors neighbors = this->neighbors(point);
-  if (neighbors.size() == 0)
-  {
-    return this->implementation_->query.radius;
-  }
-  const Index farthest = *(neighbors.end() - 1);
-  const double sigma = (this->points().col(farthest) - this->points().col(point)).norm();
-  return sigma * std::sqrt(Pi / static_cast<double>(neighbors.size()));
+  return this->implementation_->steps[point];
 }
 
 double NeighborGraph::medianSamplingStep() const

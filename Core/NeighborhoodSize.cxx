@@ -11,6 +11,7 @@ namespace
 
 constexpr std::size_t Sites = 128;
 constexpr int LargestCount = 512;
+constexpr double NegligibleMisfit = 1e-3; // in sampling steps: nobody sees it
 constexpr double WidthToNoise = 3.0; // of an admissible neighbourhood
 constexpr double VarianceShare =
   8.0; // of the noise's variance in that of the fit's centre is this / k, for degree 2
@@ -96,6 +97,7 @@ int chooseNeighborCount(const SampledFunction& function, int degree, const Execu
   const int points = static_cast<int>(function.graph.pointCount());
   std::vector<Misfit> misfits;
   double noise = INFINITY;
+  const double negligible = std::pow(NegligibleMisfit * function.graph.medianSamplingStep(), 2);
   for (int count = usual; count <= LargestCount && count <= points / 4; count += count / 2)
   {
     execution.report(static_cast<double>(count) / LargestCount);
@@ -110,6 +112,10 @@ int chooseNeighborCount(const SampledFunction& function, int degree, const Execu
     {
       break; // bias has taken over
     }
+  }
+  if (!misfits.empty() && misfits.front().squaredDeviation < negligible)
+  {
+    return misfits.front().count;
   }
   const auto error = [&](const Misfit& misfit)
   { return noise * VarianceShare / misfit.count + BiasShare * (misfit.squaredDeviation - noise); };

@@ -11,7 +11,7 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr Eigen::Index FewestIntervals = 8;
+constexpr Eigen::Index FewestIntervals = 4;
 // Weight of the second differences beside the mean weight of the data: only decides where data are
 // missing.
 constexpr double Stiffness = 1e-4;
