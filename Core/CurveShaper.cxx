@@ -11,7 +11,7 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double KnotSpacing = 8.0; // of the fitted spline, in widened sampling steps
+constexpr double KnotSpacing = 5.0; // of the fitted spline, in widened sampling steps
 
 /// The polyline's arc length at each point, and once more at the end (which is the first point if
 /// closed).

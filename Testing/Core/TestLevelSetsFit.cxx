@@ -141,7 +141,7 @@ TEST(LevelSetsFit, leastSquaresSmoothsNoisyCurves)
   Disc disc;
   addNoise(disc.values, 0.02, 2);
   ContourParameters parameters = at({ 0.09, 0.25, 0.49 });
-  parameters.neighborCount = 24; // too few to average the noise away
+  parameters.neighborCount = 100; // too few to average the noise away
   const Traced interpolating = trace(disc.points, disc.values, parameters);
   parameters.fit = CurveFit::LeastSquares;
   const Traced smooth = trace(disc.points, disc.values, parameters);

@@ -1,0 +1,84 @@
+#include "OutputArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+vtkSmartPointer<vtkIdTypeArray> countUp(vtkIdType count)
+{
+  auto numbers = vtkSmartPointer<vtkIdTypeArray>::New();
+  numbers->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    numbers->SetValue(i, i);
+  }
+  return numbers;
+}
+
+/// The same values, shared where the type of array allows it.
+vtkSmartPointer<vtkAbstractArray> copyOf(vtkAbstractArray* array)
+{
+  auto copy = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  if (auto* numbers = vtkDataArray::SafeDownCast(copy))
+  {
+    numbers->ShallowCopy(vtkDataArray::SafeDownCast(array));
+  }
+  else
+  {
+    copy->DeepCopy(array);
+  }
+  return copy;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkDoubleArray> makeDoubles(
+  const std::string& name, vtkIdType tuples, int components)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count)
+{
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  vertices->SetData(countUp(count + 1), countUp(count));
+  return vertices;
+}
+
+std::string renameTaken(vtkDataSetAttributes* data, const std::string& name)
+{
+  int index = -1;
+  vtkAbstractArray* taken = data->GetAbstractArray(name.c_str(), index);
+  if (!taken)
+  {
+    return {};
+  }
+  std::string free = name + "Input";
+  while (data->HasArray(free.c_str()))
+  {
+    free += "Input";
+  }
+  const int attribute = data->IsArrayAnAttribute(index);
+  const vtkSmartPointer<vtkAbstractArray> copy = copyOf(taken);
+  copy->SetName(free.c_str());
+  data->RemoveArray(name.c_str());
+  data->AddArray(copy);
+  if (attribute >= 0)
+  {
+    data->SetActiveAttribute(free.c_str(), attribute);
+  }
+  return free;
+}
+
+} // namespace SurfaceScalars

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+
+class vtkCellArray;
+class vtkDataSetAttributes;
+class vtkDoubleArray;
+
+namespace SurfaceScalars
+{
+
+/// An array of doubles, allocated and not set.
+vtkSmartPointer<vtkDoubleArray> makeDoubles(
+  const std::string& name, vtkIdType tuples, int components = 1);
+
+/// One vertex for each of the first `count` points.
+vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count);
+
+/**
+ * Makes room for an output array: an array called `name` becomes `<name>Input` and keeps its values
+ * and its role as attribute. The array itself, which may belong to the filter's input, is not
+ * touched.
+ *
+ * @returns the new name, empty if there was no such array
+ */
+std::string renameTaken(vtkDataSetAttributes* data, const std::string& name);
+
+} // namespace SurfaceScalars

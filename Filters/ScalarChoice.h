@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkPointSet;
+
+namespace SurfaceScalars
+{
+
+/// The point array a user chose as f.
+struct ScalarChoice
+{
+  std::string name;
+  std::vector<vtkDataArray*> arrays; ///< one per block, null where a block lacks it
+};
+
+/**
+ * Finds the array of SetInputArrayToProcess(0, ...), by name or as active attribute, in the blocks
+ * of an input.
+ *
+ * @throws InvalidInput if it is not a point array of numbers with one component, or if no block has
+ * it
+ */
+ScalarChoice chooseScalars(vtkAlgorithm& filter, const std::vector<vtkPointSet*>& blocks);
+
+} // namespace SurfaceScalars

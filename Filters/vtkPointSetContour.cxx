@@ -1,0 +1,238 @@
+#include "vtkPointSetContour.h"
+
+#include "ContourOutput.h"
+#include "Error.h"
+#include "FilterRun.h"
+#include "LevelSets.h"
+#include "NeighborGraph.h"
+#include "PointSetInput.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+vtkStandardNewMacro(vtkPointSetContour);
+
+namespace
+{
+
+using namespace SurfaceScalars;
+
+// The shares of the whole that reading, the neighbor graph and the curves take.
+constexpr double ReadShare = 0.05;
+constexpr double GraphShare = 0.5;
+
+/// @throws InvalidInput if `value` is none of the values a property has
+void checkChoice(const std::string& property, int value, std::initializer_list<int> values,
+  const std::string& names)
+{
+  if (std::find(values.begin(), values.end(), value) == values.end())
+  {
+    throw InvalidInput(property + " " + names, std::to_string(value), "Choose one of these.");
+  }
+}
+
+std::vector<double> isoValues(vtkPointSetContour& filter)
+{
+  std::vector<double> values;
+  for (int i = 0; i < filter.GetNumberOfContourValues(); ++i)
+  {
+    values.push_back(filter.GetContourValues(i));
+    if (!std::isfinite(values.back()))
+    {
+      throw InvalidInput("finite numbers as ContourValues",
+        std::to_string(values.back()) + " at index " + std::to_string(i), "Correct or remove it.");
+    }
+  }
+  return values;
+}
+
+VolumeFunction volumeFunction(vtkImplicitFunction* function)
+{
+  if (!function)
+  {
+    return {};
+  }
+  return [function](const Vector3d& place, Vector3d* gradient)
+  {
+    Vector3d copy = place; // VTK wants a writable one
+    if (gradient)
+    {
+      function->FunctionGradient(copy.data(), gradient->data());
+    }
+    return function->FunctionValue(copy.data());
+  };
+}
+
+ContourParameters parametersOf(vtkPointSetContour& filter)
+{
+  checkChoice("Scheme", filter.GetScheme(), { 0, 1, 2 },
+    "0 (Linear), 1 (ExplicitMLS) or 2 (ParameterizedMLS)");
+  checkChoice("SurfaceModel", filter.GetSurfaceModel(), { 0, 2 }, "0 (MLS) or 2 (Unprojected)");
+  checkChoice("Fit", filter.GetFit(), { 0, 1 }, "0 (Interpolate) or 1 (LeastSquares)");
+
+  ContourParameters parameters;
+  parameters.isoValues = isoValues(filter);
+  parameters.scheme = static_cast<Scheme>(filter.GetScheme());
+  parameters.surface = static_cast<SurfaceModel>(filter.GetSurfaceModel());
+  parameters.volumeFunction = volumeFunction(filter.GetCutFunction());
+  parameters.polynomialDegree = filter.GetPolynomialDegree();
+  parameters.neighborCount = filter.GetNeighborCount();
+  parameters.searchRadius = filter.GetSearchRadius();
+  parameters.kernelWidth = filter.GetKernelWidth();
+  parameters.linkDistance = filter.GetLinkDistance();
+  parameters.tolerance = filter.GetTolerance();
+  parameters.maximumIterations = filter.GetMaximumIterations();
+  parameters.fit = static_cast<CurveFit>(filter.GetFit());
+  parameters.sampleSpacing = filter.GetSampleSpacing();
+  return parameters;
+}
+
+Samples read(FilterRun& run, vtkDataObject* input, vtkImplicitFunction* cutFunction)
+{
+  const Execution execution = run.execution().part(0.0, ReadShare);
+  return cutFunction ? readSamples(run, execution, input, *cutFunction)
+                     : readSamples(run, execution, input);
+}
+
+double midRange(const Values& values)
+{
+  // Halves first: the sum of huge values could overflow.
+  return 0.5 * values.minCoeff() + 0.5 * values.maxCoeff();
+}
+
+} // namespace
+
+vtkPointSetContour::vtkPointSetContour()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkPointSetContour::~vtkPointSetContour() = default;
+
+void vtkPointSetContour::SetNumberOfContourValues(int number)
+{
+  const auto size = static_cast<std::size_t>(std::max(0, number));
+  if (this->ContourValues.size() != size)
+  {
+    this->ContourValues.resize(size, 0.0);
+    this->Modified();
+  }
+}
+
+int vtkPointSetContour::GetNumberOfContourValues()
+{
+  return static_cast<int>(this->ContourValues.size());
+}
+
+void vtkPointSetContour::SetContourValues(int i, double value)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro(<< "SetContourValues: needs an index of at least 0, found " << i << ".");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(i);
+  if (index < this->ContourValues.size() && this->ContourValues[index] == value)
+  {
+    return;
+  }
+  this->ContourValues.resize(std::max(this->ContourValues.size(), index + 1), 0.0);
+  this->ContourValues[index] = value;
+  this->Modified();
+}
+
+double vtkPointSetContour::GetContourValues(int i)
+{
+  if (i < 0 || i >= this->GetNumberOfContourValues())
+  {
+    vtkErrorMacro(<< "GetContourValues: needs an index from 0 to "
+                  << this->GetNumberOfContourValues() - 1 << ", found " << i << ".");
+    return 0.0;
+  }
+  return this->ContourValues[static_cast<std::size_t>(i)];
+}
+
+void vtkPointSetContour::SetCutFunction(vtkImplicitFunction* function)
+{
+  if (this->CutFunction != function)
+  {
+    this->CutFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkPointSetContour::GetCutFunction()
+{
+  return this->CutFunction;
+}
+
+vtkMTimeType vtkPointSetContour::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->CutFunction ? std::max(time, this->CutFunction->GetMTime()) : time;
+}
+
+int vtkPointSetContour::FillInputPortInformation(int, vtkInformation* information)
+{
+  acceptPointSets(information);
+  return 1;
+}
+
+int vtkPointSetContour::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return runFilter(*this, "Point Set Contour", outputs,
+    [&](FilterRun& run)
+    {
+      ContourParameters parameters = parametersOf(*this);
+      Samples samples = read(run, vtkDataObject::GetData(inputs[0]), this->CutFunction);
+      const Execution& execution = run.execution();
+      const NeighborGraph graph(
+        samples.points, NeighborQuery(), execution.part(ReadShare, GraphShare));
+      samples.points = Points(); // the graph has its own
+      samples.values = graph.average(samples.values);
+      if (parameters.isoValues.empty())
+      {
+        parameters.isoValues = { midRange(samples.values) };
+      }
+
+      const LevelSets sets =
+        traceLevelSets(graph, samples.values, parameters, execution.part(GraphShare, 1.0));
+      const std::string valueName = isoValueName(run, samples.valueName);
+      writeContours(sets, valueName, vtkPolyData::GetData(outputs, 0));
+      writeSamples(sets, valueName, vtkPolyData::GetData(outputs, 1));
+    });
+}
+
+void vtkPointSetContour::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ContourValues:";
+  for (const double value : this->ContourValues)
+  {
+    os << " " << value;
+  }
+  os << "\n";
+  os << indent << "Scheme: " << this->Scheme << "\n";
+  os << indent << "SurfaceModel: " << this->SurfaceModel << "\n";
+  os << indent << "PolynomialDegree: " << this->PolynomialDegree << "\n";
+  os << indent << "NeighborCount: " << this->NeighborCount << "\n";
+  os << indent << "SearchRadius: " << this->SearchRadius << "\n";
+  os << indent << "KernelWidth: " << this->KernelWidth << "\n";
+  os << indent << "CutFunction: " << this->CutFunction.Get() << "\n";
+  os << indent << "LinkDistance: " << this->LinkDistance << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Fit: " << this->Fit << "\n";
+  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
+}

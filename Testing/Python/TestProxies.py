@@ -1,0 +1,136 @@
+"""The proxies are what the documented interface says: names, labels, enumerations with their codes, defaults, ports."""
+
+import unittest
+
+import support
+from paraview import simple
+
+PROXIES = {
+    "PointSetContour": {
+        "ports": ["Contours", "Samples"],
+        "enumerations": {
+            "Scheme": {"Linear": 0, "ExplicitMLS": 1, "ParameterizedMLS": 2},
+            "SurfaceModel": {"MLS": 0, "Unprojected": 2},
+            "Fit": {"Interpolate": 0, "LeastSquares": 1},
+        },
+        "defaults": {
+            "Scheme": "ParameterizedMLS",
+            "SurfaceModel": "MLS",
+            "Fit": "Interpolate",
+            "NeighborCount": 0,
+            "SearchRadius": 0.0,
+            "PolynomialDegree": 2,
+            "KernelWidth": 0.0,
+            "LinkDistance": 0.0,
+            "Tolerance": 1e-7,
+            "MaximumIterations": 20,
+            "SampleSpacing": 0.0,
+        },
+        "others": ["Input", "ScalarArray", "ContourValues", "CutFunction"],
+    },
+    "PointSetScalarFunction": {
+        "ports": None,
+        "enumerations": {"Function": {"Height": 0, "DistanceToPoint": 1, "DistanceToPlane": 2}},
+        "defaults": {"Function": "Height"},
+        "others": ["Input", "Direction", "Center", "Origin", "Normal", "ResultArrayName"],
+    },
+}
+
+
+def make(name):
+    points = support.torus_points(500)
+    return getattr(simple, name)(Input=support.source(support.polydata(points, f=points[:, 2])))
+
+
+def without_blanks(label):
+    return label.replace(" ", "")
+
+
+class TestProxies(unittest.TestCase):
+    def setUp(self):
+        self.proxies = {name: make(name) for name in PROXIES}
+
+    def each(self):
+        for name, expected in PROXIES.items():
+            yield name, self.proxies[name], expected
+
+    def test_properties_have_the_names_of_the_interface(self):
+        for _, proxy, expected in self.each():
+            wanted = set(expected["defaults"]) | set(expected["enumerations"]) | set(expected["others"])
+            self.assertEqual(wanted - set(proxy.ListProperties()), set())
+
+    def test_labels_without_blanks_are_the_names(self):
+        for name, proxy, _ in self.each():
+            self.assertEqual(without_blanks(proxy.SMProxy.GetXMLLabel()), name)
+            for property_name in proxy.ListProperties():
+                label = proxy.SMProxy.GetProperty(property_name).GetXMLLabel()
+                self.assertEqual(without_blanks(label), property_name)
+
+    def test_enumerations_offer_the_named_codes_and_no_others(self):
+        for _, proxy, expected in self.each():
+            for property_name, codes in expected["enumerations"].items():
+                domain = proxy.SMProxy.GetProperty(property_name).FindDomain("vtkSMEnumerationDomain")
+                offered = {
+                    domain.GetEntryText(i): domain.GetEntryValue(i) for i in range(domain.GetNumberOfEntries())
+                }
+                self.assertEqual(offered, codes)
+
+    def test_values_are_set_by_name_and_kept_as_codes(self):
+        for _, proxy, expected in self.each():
+            for property_name, codes in expected["enumerations"].items():
+                for text, code in codes.items():
+                    setattr(proxy, property_name, text)
+                    self.assertEqual(getattr(proxy, property_name), text)
+                    self.assertEqual(proxy.SMProxy.GetProperty(property_name).GetElement(0), code)
+
+    def test_values_of_other_filters_are_refused(self):
+        contour = self.proxies["PointSetContour"]
+        for property_name, value in (("Scheme", "LocalRBF"), ("Scheme", "Hybrid"), ("SurfaceModel", "RBF")):
+            with self.assertRaises(ValueError):
+                setattr(contour, property_name, value)
+
+    def test_defaults(self):
+        for _, proxy, expected in self.each():
+            for property_name, value in expected["defaults"].items():
+                self.assertEqual(getattr(proxy, property_name), value, property_name)
+
+    def test_the_value_in_the_middle_is_contoured_by_default(self):
+        contour = self.proxies["PointSetContour"]
+        low, high = contour.Input.PointData["f"].GetRange()
+        self.assertEqual(len(contour.ContourValues), 1)
+        self.assertAlmostEqual(contour.ContourValues[0], 0.5 * (low + high), places=12)
+        self.assertEqual(list(contour.ScalarArray), ["POINTS", "f"])
+
+    def test_cut_functions_on_offer(self):
+        domain = self.proxies["PointSetContour"].SMProxy.GetProperty("CutFunction").FindDomain("vtkSMProxyListDomain")
+        offered = [domain.GetProxyName(i) for i in range(domain.GetNumberOfProxies())]
+        self.assertEqual(offered[0], "None")
+        self.assertEqual(set(offered), {"None", "Plane", "Sphere", "Box", "Cylinder"})
+
+    def test_output_ports_have_the_names_of_the_interface(self):
+        for _, proxy, expected in self.each():
+            if expected["ports"]:
+                count = proxy.SMProxy.GetNumberOfOutputPorts()
+                self.assertEqual([proxy.SMProxy.GetOutputPortName(i) for i in range(count)], expected["ports"])
+
+    def test_filters_are_polydata_algorithms_of_the_proxys_name(self):
+        for name, proxy, _ in self.each():
+            self.assertEqual(proxy.GetClientSideObject().GetClassName(), "vtk" + name)
+            self.assertTrue(proxy.GetClientSideObject().IsA("vtkPolyDataAlgorithm"))
+
+    def test_every_property_has_a_tooltip(self):
+        for _, proxy, _ in self.each():
+            for property_name in proxy.ListProperties():
+                documentation = proxy.SMProxy.GetProperty(property_name).GetDocumentation()
+                self.assertIsNotNone(documentation, property_name)
+                self.assertGreater(len(documentation.GetDescription().strip()), 10, property_name)
+
+    def test_filters_are_in_the_menu_surface_scalars(self):
+        for _, proxy, _ in self.each():
+            menu = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
+            self.assertEqual(menu.GetAttribute("category"), "Surface Scalars")
+
+
+if __name__ == "__main__":
+    support.load_plugin()
+    unittest.main()

