@@ -60,7 +60,7 @@ void checkParameters(
     parameters.polynomialDegree >= 1 && parameters.polynomialDegree <= LocalFit::MaximumDegree,
     "a polynomial degree from 1 to 4", std::to_string(parameters.polynomialDegree),
     "Choose 2 if in doubt.");
-  const int terms = LocalFit::termCount(parameters.polynomialDegree);
+  const int terms = LocalFit::termCount(polynomialDegree(parameters));
   const int fewest = terms + 1; // the point in the middle, and the sample at the rim weighs nothing
   require(static_cast<int>(graph.pointCount()) >= fewest,
     ("at least " + std::to_string(fewest) + " different points with a value to fit a surface")
@@ -162,9 +162,9 @@ void LevelSetTracing::chooseFitSize()
   if (this->fitSize_.count == 0)
   {
     this->fitSize_.count = this->fitSize_.radius > 0.0
-      ? LocalFit::termCount(this->parameters_.polynomialDegree) + 1
+      ? LocalFit::termCount(polynomialDegree(this->parameters_)) + 1
       : chooseNeighborCount(
-          this->function_, this->parameters_.polynomialDegree, this->execution_.part(0.0, 0.1));
+          this->function_, polynomialDegree(this->parameters_), this->execution_.part(0.0, 0.1));
   }
   const double steps = this->fitSize_.radius / graph.medianSamplingStep();
   const double used = std::max<double>(this->fitSize_.count, Pi * steps * steps);

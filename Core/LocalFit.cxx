@@ -127,7 +127,10 @@ bool LocalFit::solve(const WeightedSamples& samples)
   {
     return false;
   }
-  this->coefficients_.template topRows<Terms>() = factor.solve(rightSides);
+  for (int side = 0; side < 2; ++side) // one at a time: Eigen's matrix kernels are slow for sizes like these
+  {
+    this->coefficients_.col(side).template head<Terms>() = factor.solve(rightSides.col(side));
+  }
   this->coefficients_.col(0) *= this->scale_;
   return this->coefficients_.template topRows<Terms>().allFinite();
 }
@@ -137,34 +140,50 @@ LocalFit::Jet LocalFit::jet(int which, const Vector2d& uv) const
   double terms[MaximumTerms];
   monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
   const auto c = this->coefficients_.col(which);
-  Jet jet{ c[0], Vector2d::Zero(), Eigen::Matrix2d::Zero() };
-  for (int d = 1; d <= this->degree_; ++d)
+  Jet jet{ this->slope(which, uv), Eigen::Matrix2d::Zero() };
+  for (int d = 2; d <= this->degree_; ++d)
   {
-    for (int k = 0; k <= d; ++k)
+    const double* lower = terms + firstTerm(d - 2);
+    for (int y = 0; y <= d; ++y)
     {
-      const double coefficient = c[firstTerm(d) + k];
-      const int x = d - k; // the exponents
-      const int y = k;
-      // Term (x, y) of degree d derives to (x - 1, y) and (x, y - 1) of degree d - 1.
-      const auto term = [&](int degree, int yExponent)
-      { return terms[firstTerm(degree) + yExponent]; };
-      jet.value += coefficient * term(d, y);
-      jet.gradient.x() += x > 0 ? coefficient * x * term(d - 1, y) : 0.0;
-      jet.gradient.y() += y > 0 ? coefficient * y * term(d - 1, y - 1) : 0.0;
-      jet.hessian(0, 0) += x > 1 ? coefficient * x * (x - 1) * term(d - 2, y) : 0.0;
-      jet.hessian(0, 1) += x > 0 && y > 0 ? coefficient * x * y * term(d - 2, y - 1) : 0.0;
-      jet.hessian(1, 1) += y > 1 ? coefficient * y * (y - 1) * term(d - 2, y - 2) : 0.0;
+      const double coefficient = c[firstTerm(d) + y];
+      const int x = d - y;
+      jet.hessian(0, 0) += x > 1 ? coefficient * x * (x - 1) * lower[y] : 0.0;
+      jet.hessian(0, 1) += x > 0 && y > 0 ? coefficient * x * y * lower[y - 1] : 0.0;
+      jet.hessian(1, 1) += y > 1 ? coefficient * y * (y - 1) * lower[y - 2] : 0.0;
     }
   }
-  jet.gradient /= this->scale_;
   jet.hessian /= this->scale_ * this->scale_;
   jet.hessian(1, 0) = jet.hessian(0, 1);
   return jet;
 }
 
+LocalFit::Slope LocalFit::slope(int which, const Vector2d& uv) const
+{
+  double terms[MaximumTerms];
+  monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
+  const auto c = this->coefficients_.col(which);
+  Slope slope{ c[0], Vector2d::Zero() };
+  for (int d = 1; d <= this->degree_; ++d)
+  {
+    // x^(d-y) y^y derives to terms of degree d - 1.
+    const double* current = terms + firstTerm(d);
+    const double* lower = terms + firstTerm(d - 1);
+    for (int y = 0; y <= d; ++y)
+    {
+      const double coefficient = c[firstTerm(d) + y];
+      slope.value += coefficient * current[y];
+      slope.gradient.x() += y < d ? coefficient * (d - y) * lower[y] : 0.0;
+      slope.gradient.y() += y > 0 ? coefficient * y * lower[y - 1] : 0.0;
+    }
+  }
+  slope.gradient /= this->scale_;
+  return slope;
+}
+
 Vector3d LocalFit::lift(const Vector2d& uv) const
 {
-  return this->centre_ + this->frame_ * Vector3d(uv.x(), uv.y(), this->height(uv).value);
+  return this->centre_ + this->frame_ * Vector3d(uv.x(), uv.y(), this->heightSlope(uv).value);
 }
 
 Vector2d LocalFit::flatten(const Vector3d& p) const
@@ -174,7 +193,7 @@ Vector2d LocalFit::flatten(const Vector3d& p) const
 
 Vector3d LocalFit::normal(const Vector2d& uv) const
 {
-  const Vector2d slope = this->height(uv).gradient;
+  const Vector2d slope = this->heightSlope(uv).gradient;
   return (this->frame_ * Vector3d(-slope.x(), -slope.y(), 1.0)).normalized();
 }
 
@@ -182,8 +201,8 @@ Vector3d LocalFit::gradient(const Vector2d& uv) const
 {
   // Raise the index with the metric I + s s^T of the graph z(u, v), s its slope: (I + s s^T)^-1 = I
   // - s s^T / (1 + s^T s).
-  const Vector2d slope = this->height(uv).gradient;
-  const Vector2d covector = this->value(uv).gradient;
+  const Vector2d slope = this->heightSlope(uv).gradient;
+  const Vector2d covector = this->valueSlope(uv).gradient;
   const Vector2d tangent = covector - slope * (slope.dot(covector) / (1.0 + slope.squaredNorm()));
   return this->frame_ * Vector3d(tangent.x(), tangent.y(), slope.dot(tangent));
 }

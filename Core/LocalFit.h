@@ -32,11 +32,15 @@ public:
   /// Unknowns of a polynomial of this degree in two variables.
   static constexpr int termCount(int degree) { return (degree + 1) * (degree + 2) / 2; }
 
-  /// Value, gradient and Hessian of one of the polynomials at a place of the tangent plane.
-  struct Jet
+  /// Value and gradient of one of the polynomials at a place of the tangent plane.
+  struct Slope
   {
     double value;
     Vector2d gradient;
+  };
+  /// And its Hessian.
+  struct Jet : Slope
+  {
     Eigen::Matrix2d hessian;
   };
 
@@ -56,6 +60,8 @@ public:
 
   Jet height(const Vector2d& uv) const { return this->jet(0, uv); }
   Jet value(const Vector2d& uv) const { return this->jet(1, uv); }
+  Slope heightSlope(const Vector2d& uv) const { return this->slope(0, uv); }
+  Slope valueSlope(const Vector2d& uv) const { return this->slope(1, uv); }
 
   Vector3d lift(const Vector2d& uv) const; ///< the point of the surface over (u, v)
   Vector2d flatten(
@@ -75,6 +81,7 @@ public:
   }
 
 private:
+  Slope slope(int which, const Vector2d& uv) const;
   Jet jet(int which, const Vector2d& uv) const;
   double deviation(int which, const WeightedSamples& samples) const;
   template <int Degree>

@@ -91,6 +91,11 @@ NeighborGraph::Implementation::Implementation(
       static_cast<std::size_t>(std::max(1, neighborQuery.count)), sorted.inputOfPoint.size() - 1))
   , tree(sorted.points)
 {
+  if (this->count < 1)
+  {
+    throw InvalidInput("at least 2 different points",
+      std::to_string(points.cols()) + " points at one place", "Choose a larger input.");
+  }
   execution.report(0.3);
   if (this->query.radius > 0.0)
   {
@@ -192,11 +197,6 @@ NeighborGraph::NeighborGraph(
     throw InvalidInput("finite coordinates", "NaN or infinity", "Leave such points out.");
   }
   this->implementation_ = std::make_unique<Implementation>(points, query, execution);
-  if (this->pointCount() < 2)
-  {
-    throw InvalidInput("at least 2 different points",
-      std::to_string(points.cols()) + " points at one place", remedy);
-  }
   this->implementation_->measureSteps(execution);
 }
 

@@ -11,21 +11,19 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr std::size_t PointsPerLeaf = 16;
+constexpr std::size_t PointsPerLeaf = 24; // measured
 constexpr double Unbounded = std::numeric_limits<double>::max();
 
 /// The points as nanoflann wants to see them.
 struct PointAccess
 {
-  const Points& points;
+  const double* coordinates;
+  std::size_t count;
 
-  std::size_t kdtree_get_point_count() const
-  {
-    return static_cast<std::size_t>(this->points.cols());
-  }
+  std::size_t kdtree_get_point_count() const { return this->count; }
   double kdtree_get_pt(std::size_t point, std::size_t axis) const
   {
-    return this->points.data()[3 * point + axis];
+    return this->coordinates[3 * point + axis];
   }
   template <class Box>
   bool kdtree_get_bbox(Box&) const
@@ -34,7 +32,29 @@ struct PointAccess
   }
 };
 
-using Distance = nanoflann::L2_Simple_Adaptor<double, PointAccess, double, Index>;
+/// Squared Euclidean distance, as nanoflann's own but without its loop over axes.
+struct Distance
+{
+  using ElementType = double;
+  using DistanceType = double;
+
+  const double* coordinates;
+
+  explicit Distance(const PointAccess& access)
+    : coordinates(access.coordinates)
+  {
+  }
+  double evalMetric(const double* place, std::size_t point, std::size_t /*dimension*/) const
+  {
+    const double* other = this->coordinates + 3 * point;
+    const double x = place[0] - other[0];
+    const double y = place[1] - other[1];
+    const double z = place[2] - other[2];
+    return x * x + y * y + z * z;
+  }
+  double accum_dist(double a, double b, std::size_t /*axis*/) const { return (a - b) * (a - b); }
+};
+
 using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Distance, PointAccess, 3, Index>;
 
 /// nanoflann's result set for the k nearest, which may start with a bound on the largest distance.
@@ -141,7 +161,7 @@ struct PointTree::Tree
   KdTree index;
 
   explicit Tree(const Points& points)
-    : access{ points }
+    : access{ points.data(), static_cast<std::size_t>(points.cols()) }
     , index(3, access, nanoflann::KDTreeSingleIndexAdaptorParams(PointsPerLeaf))
   {
   }

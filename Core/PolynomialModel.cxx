@@ -56,7 +56,7 @@ void PolynomialModel::gather(const Vector3d& place, int count)
 {
   this->gatherPlace_ = place;
   this->gatheredCount_ = count;
-  const int enough = count + count / 4 + 4;
+  const int enough = count + count / 8 + 4;
   if (this->size_.radius > 0.0)
   {
     this->function_.graph.within(place, 1.1 * this->size_.radius, this->neighborhood_);
@@ -157,7 +157,7 @@ bool PolynomialModel::centre(const Vector3d& place)
 bool PolynomialModel::evaluateAtCentre()
 {
   const Eigen::Matrix3d& frame = this->fit_.frame();
-  const LocalFit::Jet height = this->fit_.height(Vector2d::Zero());
+  const LocalFit::Slope height = this->fit_.heightSlope(Vector2d::Zero());
   this->distance = -height.value;
   this->distanceGradient = frame * Vector3d(-height.gradient.x(), -height.gradient.y(), 1.0);
   if (this->function_.volumeFunction)
@@ -166,7 +166,7 @@ bool PolynomialModel::evaluateAtCentre()
   }
   else
   {
-    const LocalFit::Jet f = this->fit_.value(Vector2d::Zero());
+    const LocalFit::Slope f = this->fit_.valueSlope(Vector2d::Zero());
     this->value = f.value;
     this->valueGradient = frame.leftCols<2>() * f.gradient;
   }
@@ -178,14 +178,14 @@ double PolynomialModel::valueOn(const Vector2d& uv, Vector2d& gradient) const
 {
   if (!this->function_.volumeFunction)
   {
-    const LocalFit::Jet f = this->fit_.value(uv);
+    const LocalFit::Slope f = this->fit_.valueSlope(uv);
     gradient = f.gradient;
     return f.value;
   }
   Vector3d inSpace;
   const double f = this->function_.volumeFunction(this->fit_.lift(uv), &inSpace);
   const Vector3d local = this->fit_.frame().transpose() * inSpace;
-  gradient = local.head<2>() + local.z() * this->fit_.height(uv).gradient;
+  gradient = local.head<2>() + local.z() * this->fit_.heightSlope(uv).gradient;
   return f;
 }
 
