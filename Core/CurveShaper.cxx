@@ -3,6 +3,7 @@
 #include "Polyline.h"
 #include "Spline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -11,6 +12,7 @@ namespace SurfaceScalars
 namespace
 {
 
+constexpr int Subdivision = 8;      // of segments, to measure the length of a smooth curve
 constexpr double KnotSpacing = 5.0; // of the fitted spline, in widened sampling steps
 
 /// The polyline's arc length at each point, and once more at the end (which is the first point if
@@ -25,37 +27,6 @@ std::vector<double> arcLengths(const TracedCurve& curve)
     lengths.push_back(lengths.back() + chord.norm());
   }
   return lengths;
-}
-
-/// Where the new points are to lie, as arc lengths: from the first point to the last, which a
-/// closed curve does not repeat.
-std::vector<double> placesAlong(const std::vector<double>& lengths, double spacing, bool closed)
-{
-  if (!(spacing > 0.0))
-  {
-    return { lengths.begin(), lengths.end() - (closed ? 1 : 0) };
-  }
-  const double whole = lengths.back();
-  const auto pieces =
-    static_cast<std::size_t>(std::max(closed ? 3.0 : 1.0, std::round(whole / spacing)));
-  std::vector<double> places(closed ? pieces : pieces + 1);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    places[i] = whole * static_cast<double>(i) / static_cast<double>(pieces);
-  }
-  return places;
-}
-
-/// The cubic with the ends and tangents of a segment of the polyline, t in [0, 1].
-Vector3d hermite(const TracedCurve& curve, std::size_t segment, double t)
-{
-  const std::size_t next = (segment + 1) % curve.points.size();
-  const Vector3d& a = curve.points[segment].position;
-  const Vector3d& b = curve.points[next].position;
-  const double length = (b - a).norm();
-  const double s = 1.0 - t;
-  return (1.0 + 2.0 * t) * s * s * a + (1.0 + 2.0 * s) * t * t * b +
-    length * t * s * (s * curve.tangents[segment] - t * curve.tangents[next]);
 }
 
 CubicSpline fitSpline(const TracedCurve& curve, const std::vector<double>& lengths)
@@ -75,6 +46,104 @@ CubicSpline fitSpline(const TracedCurve& curve, const std::vector<double>& lengt
     lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(count));
   return CubicSpline(positionsOf(curve.points), parameters, weights, lengths.back(),
     KnotSpacing * step, curve.closed);
+}
+
+/// A smooth curve through or near a polyline, as a function of the polyline's arc length.
+class SmoothCurve
+{
+public:
+  SmoothCurve(const TracedCurve& curve, CurveFit fit)
+    : curve_(curve)
+    , lengths_(arcLengths(curve))
+  {
+    if (fit == CurveFit::LeastSquares)
+    {
+      this->spline_ = fitSpline(curve, this->lengths_);
+    }
+  }
+
+  Vector3d operator()(double place) const
+  {
+    return this->spline_ ? (*this->spline_)(place) : this->hermite(place);
+  }
+
+  /// The point of the polyline closest to a place.
+  std::size_t nearest(double place) const
+  {
+    const std::size_t segment = this->segmentAt(place);
+    const double middle = 0.5 * (this->lengths_[segment] + this->lengths_[segment + 1]);
+    return place < middle ? segment : (segment + 1) % this->curve_.points.size();
+  }
+
+  /// Places that divide the curve into pieces of equal length, as close to `spacing` as a whole
+  /// number of them can be; the polyline's own points if spacing is 0. A closed curve's first point
+  /// is not repeated.
+  std::vector<double> places(double spacing) const;
+
+private:
+  std::size_t segmentAt(double place) const
+  {
+    const auto after = std::upper_bound(this->lengths_.begin(), this->lengths_.end(), place);
+    const auto segment = std::max<std::ptrdiff_t>(after - this->lengths_.begin() - 1, 0);
+    return std::min(static_cast<std::size_t>(segment), this->lengths_.size() - 2);
+  }
+
+  /// The cubic with the ends and tangents of a segment of the polyline.
+  Vector3d hermite(double place) const;
+
+  const TracedCurve& curve_;
+  std::vector<double> lengths_;
+  std::optional<CubicSpline> spline_;
+};
+
+Vector3d SmoothCurve::hermite(double place) const
+{
+  const std::size_t segment = this->segmentAt(place);
+  const std::size_t next = (segment + 1) % this->curve_.points.size();
+  const double length = this->lengths_[segment + 1] - this->lengths_[segment];
+  const double t = (place - this->lengths_[segment]) / length;
+  const double s = 1.0 - t;
+  return (1.0 + 2.0 * t) * s * s * this->curve_.points[segment].position +
+    (1.0 + 2.0 * s) * t * t * this->curve_.points[next].position +
+    length * t * s * (s * this->curve_.tangents[segment] - t * this->curve_.tangents[next]);
+}
+
+std::vector<double> SmoothCurve::places(double spacing) const
+{
+  const bool closed = this->curve_.closed;
+  if (!(spacing > 0.0))
+  {
+    return { this->lengths_.begin(), this->lengths_.end() - (closed ? 1 : 0) };
+  }
+  // The length of the smooth curve up to places between the polyline's points.
+  std::vector<double> fine{ 0.0 };
+  std::vector<double> along{ 0.0 };
+  Vector3d last = (*this)(0.0);
+  for (std::size_t segment = 0; segment + 1 < this->lengths_.size(); ++segment)
+  {
+    for (int i = 1; i <= Subdivision; ++i)
+    {
+      const double t = static_cast<double>(i) / Subdivision;
+      fine.push_back((1.0 - t) * this->lengths_[segment] + t * this->lengths_[segment + 1]);
+      const Vector3d place = (*this)(fine.back());
+      along.push_back(along.back() + (place - last).norm());
+      last = place;
+    }
+  }
+  const auto pieces =
+    static_cast<std::size_t>(std::max(closed ? 3.0 : 1.0, std::round(along.back() / spacing)));
+  std::vector<double> places(closed ? pieces : pieces + 1);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double wanted = along.back() * static_cast<double>(i) / static_cast<double>(pieces);
+    for (; k + 2 < along.size() && along[k + 1] < wanted; ++k)
+    {
+    }
+    const double t = std::clamp((wanted - along[k]) / (along[k + 1] - along[k]), 0.0, 1.0);
+    places[i] = (1.0 - t) * fine[k] + t * fine[k + 1];
+  }
+  return places;
 }
 
 } // namespace
@@ -125,30 +194,21 @@ TracedCurve CurveShaper::operator()(const TracedCurve& curve) const
   {
     return curve;
   }
-  const std::vector<double> lengths = arcLengths(curve);
-  std::optional<CubicSpline> spline;
-  if (this->shape_.fit == CurveFit::LeastSquares)
-  {
-    spline = fitSpline(curve, lengths);
-  }
+  const SmoothCurve smooth(curve, this->shape_.fit);
   TracedCurve shaped;
   shaped.closed = curve.closed;
-  std::size_t segment = 0;
-  for (const double place : placesAlong(lengths, this->shape_.spacing, curve.closed))
+  shaped.startsAtSaddle = curve.startsAtSaddle;
+  shaped.endsAtSaddle = curve.endsAtSaddle;
+  const std::vector<double> places = smooth.places(this->shape_.spacing);
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    while (segment + 2 < lengths.size() && lengths[segment + 1] <= place)
-    {
-      ++segment;
-    }
-    const double t = (place - lengths[segment]) / (lengths[segment + 1] - lengths[segment]);
-    const std::size_t end = (segment + 1) % curve.points.size();
-    const std::size_t nearest = t < 0.5 ? segment : end;
-    // Points of the curve itself, its ends above all, stay what they are: one may be a saddle.
-    const bool kept = !spline && (t == 0.0 || t == 1.0);
+    const std::size_t nearest = smooth.nearest(places[i]);
+    // The ends stay what they are, if the curve goes through them: one may be a saddle.
+    const bool isEnd = i == 0 || (!curve.closed && i + 1 == places.size());
+    const bool kept = isEnd && this->shape_.fit == CurveFit::Interpolate;
     shaped.points.push_back(kept
         ? curve.points[nearest]
-        : this->measure(spline ? (*spline)(place) : hermite(curve, segment, t),
-            curve.points[nearest], curve.steps[nearest]));
+        : this->measure(smooth(places[i]), curve.points[nearest], curve.steps[nearest]));
     shaped.tangents.push_back(curve.tangents[nearest]);
     shaped.steps.push_back(curve.steps[nearest]);
   }

@@ -1,5 +1,6 @@
 #include "CurveTracer.h"
 
+#include "CurveJoining.h"
 #include "Polyline.h"
 #include "SeedCover.h"
 
@@ -18,14 +19,16 @@ constexpr double ShortestStep = 0.01;
 constexpr double WantedTurn =
   0.15; // angle per step: a chord is then within step * turn / 8 of the curve
 constexpr double LargestTurn = 0.7;
-constexpr double LargestResidual =
-  0.05; // of a point that did not converge: noise moves the model under it
+constexpr double LargestResidual = 0.2; // of a point that did not converge: noise moves the model
+constexpr double LargestJump = 0.1;     // of the model from one place to the next
 constexpr double ClosingDistance = 0.5;
 constexpr double OnCurveDistance = 0.75;
 constexpr double Overhang =
   0.5; // of a curve beyond the outermost samples, in sampling steps not widened
 constexpr double OutlierFraction = 0.02;
 constexpr double EndPrecision = 0.1;
+constexpr double DoubledLength =
+  1.5; // along another curve, closer than OnCurveDistance: it is that curve
 constexpr double ShortestCurve = 1.0;
 constexpr double SaddleDistance = 2.5; // more than a step: it must not be stepped over
 constexpr double CriticalFraction =
@@ -36,8 +39,9 @@ struct Station
 {
   LevelSetPoint point;
   Vector3d direction;
-  double step;           ///< widened sampling step of the place
-  double nearest = 0.0;  ///< distance to the nearest sample
+  double step;          ///< widened sampling step of the place
+  double nearest = 0.0; ///< distance to the nearest sample
+  bool isSaddle = false;
   bool supported = true; ///< samples around it: it lies on the sampled surface
 };
 
@@ -45,12 +49,13 @@ class Tracer
 {
 public:
   Tracer(LevelSetModel& model, const SampledFunction& function, double level,
-    const TracingLimits& limits, std::size_t seeds, const Poll& poll)
+    const TracingLimits& limits, std::size_t seeds, SeedCover& cover, const Poll& poll)
     : model_(model)
     , function_(function)
     , level_(level)
     , limits_(limits)
     , mostStations_(200 + 20 * seeds)
+    , cover_(cover)
     , poll_(poll)
   {
   }
@@ -85,6 +90,7 @@ private:
   double level_;
   TracingLimits limits_;
   std::size_t mostStations_;
+  SeedCover& cover_; ///< the curves that are there already
   const Poll& poll_;
   std::vector<double> across_; // scratch
 };
@@ -100,7 +106,8 @@ double Tracer::stepAround() const
   return sum / static_cast<double>(around.indices.size()) * this->limits_.widening;
 }
 
-/// Whether a station is among samples: not deep in a void and not beyond the last samples of the surface.
+/// Whether a station is among samples: not deep in a void and not beyond the last samples of the
+/// surface.
 void Tracer::measureSupport(Station& station)
 {
   const Neighborhood& around = this->model_.neighborhood();
@@ -136,8 +143,8 @@ std::optional<Station> Tracer::tryStep(const Station& from, double step)
 {
   const Vector3d guess = from.point.position + step * from.direction;
   const std::optional<Vector3d> predicted = this->model_.solve(this->level_, guess);
-  const ProjectionLimits limits{ this->limits_.tolerance, 0.5 * step,
-    this->limits_.maximumIterations };
+  const ProjectionLimits limits{ this->limits_.tolerance,
+    std::max(0.5 * step, LargestJump * from.step), this->limits_.maximumIterations };
   const std::optional<LevelSetPoint> point =
     project(this->model_, this->level_, predicted.value_or(guess), limits);
   if (!point)
@@ -151,10 +158,11 @@ std::optional<Station> Tracer::tryStep(const Station& from, double step)
     next.point.normal = -next.point.normal;
   }
   const Vector3d chord = next.point.position - from.point.position;
-  const double length = chord.norm();
+  const double along = chord.dot(from.direction);
+  const double across = (chord - along * from.direction).norm();
   const bool good = next.point.residual <= LargestResidual * next.step &&
-    next.direction.dot(from.direction) > std::cos(LargestTurn) && length > 0.4 * step &&
-    length < 1.6 * step && chord.dot(from.direction) > 0.6 * length;
+    next.direction.dot(from.direction) > std::cos(LargestTurn) && along > 0.4 * step &&
+    along < 1.6 * step && across < std::max(along, LargestJump * from.step);
   return good ? std::optional<Station>(next) : std::nullopt;
 }
 
@@ -225,6 +233,7 @@ std::optional<Station> Tracer::saddleAhead(const Station& station)
   end.point.residual =
     std::abs(this->model_.distance); // F is critical: only g has a first-order distance
   end.point.converged = true;
+  end.isSaddle = true;
   const Vector3d normal = this->model_.normal();
   end.point.normal = normal.dot(station.point.normal) < 0.0 ? Vector3d(-normal) : normal;
   return end;
@@ -235,8 +244,10 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
 {
   double step = FirstStep * path.back().step;
   double length = 0.0;
-  double gap = 0.0; // from the last sample passed
+  double gap = 0.0;     // from the last sample passed
+  double doubled = 0.0; // length along another curve
   std::size_t lastSupported = path.size();
+  std::size_t lastAlone = path.size();
   for (std::size_t i = 0; i < this->mostStations_; ++i)
   {
     this->poll_();
@@ -272,6 +283,15 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
     }
     path.push_back(*next);
     lastSupported = next->supported ? path.size() : lastSupported;
+    const bool onCurve =
+      this->cover_.isOnCurve(next->point.position, OnCurveDistance * next->step, next->direction);
+    doubled = onCurve && lastAlone + 1 < path.size() ? doubled + chord : 0.0;
+    lastAlone = onCurve ? lastAlone : path.size();
+    if (doubled > DoubledLength * next->step)
+    {
+      lastSupported = std::min(lastSupported, lastAlone);
+      break;
+    }
   }
   path.resize(lastSupported, path.front());
   return End::Open;
@@ -281,10 +301,13 @@ TracedCurve Tracer::join(
   const std::vector<Station>& forward, const std::vector<Station>& backward) const
 {
   TracedCurve curve;
+  curve.startsAtSaddle = backward.back().isSaddle;
+  curve.endsAtSaddle = forward.back().isSaddle;
   for (auto station = backward.rbegin(); station + 1 < backward.rend(); ++station)
   {
     curve.points.push_back(station->point);
-    curve.points.back().normal = -station->point.normal; // it was kept on the other side of the direction
+    curve.points.back().normal =
+      -station->point.normal; // it was kept on the other side of the direction
     curve.tangents.push_back(-station->direction);
     curve.steps.push_back(station->step);
   }
@@ -351,7 +374,7 @@ std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction
 {
   std::vector<TracedCurve> curves;
   SeedCover cover(seeds);
-  Tracer tracer(model, function, level, limits, seeds.size(), poll);
+  Tracer tracer(model, function, level, limits, seeds.size(), cover, poll);
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
     poll();
@@ -360,7 +383,8 @@ std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction
       continue;
     }
     const std::optional<Station> start = tracer.start(seeds[i]);
-    if (!start || cover.isOnCurve(start->point.position, OnCurveDistance * start->step))
+    if (!start ||
+      cover.isOnCurve(start->point.position, OnCurveDistance * start->step, Vector3d::Zero()))
     {
       continue; // a seed that fails is not tried again
     }
@@ -372,7 +396,7 @@ std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction
       curves.push_back(std::move(curve));
     }
   }
-  return curves;
+  return joinEnds(std::move(curves));
 }
 
 } // namespace SurfaceScalars

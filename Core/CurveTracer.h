@@ -15,6 +15,8 @@ struct TracedCurve
   std::vector<Vector3d> tangents;
   std::vector<double> steps; ///< widened sampling steps
   bool closed = false;
+  bool startsAtSaddle = false;
+  bool endsAtSaddle = false;
 };
 
 /// The lengths a tracer works with, in sampling steps of the place unless said otherwise.
@@ -22,9 +24,9 @@ struct TracingLimits
 {
   double tolerance;      ///< of the projection, length
   int maximumIterations; ///< of the projection
-  double widening;       ///< of the step along curves: sqrt of the neighbourhood's size to the usual one
-  double voidRadius;     ///< no sample within: a hole, not a gap of random sampling
-  double linkDistance;   ///< widest hole that a curve runs on across
+  double widening; ///< of the step along curves: sqrt of the neighbourhood's size to the usual one
+  double voidRadius;   ///< no sample within: a hole, not a gap of random sampling
+  double linkDistance; ///< widest hole that a curve runs on across
 };
 
 /**

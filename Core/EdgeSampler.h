@@ -9,7 +9,8 @@
 namespace SurfaceScalars
 {
 
-/// Of the local fits: a scheme without polynomials of its own still sizes neighborhoods and follows curves with degree 2.
+/// Of the local fits: a scheme without polynomials of its own still sizes neighborhoods and follows
+/// curves with degree 2.
 int polynomialDegree(const ContourParameters& parameters);
 
 /// The model that a scheme traces with. Linear has none of its own: its curves follow the

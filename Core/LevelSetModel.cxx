@@ -3,10 +3,19 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <limits>
 
 namespace SurfaceScalars
 {
+
+namespace
+{
+
+constexpr double FlatFraction =
+  1e-9; // of f's range over a neighbourhood: what varies less is a plateau with rounding errors
+
+} // namespace
 
 LevelSetModel::~LevelSetModel() = default;
 
@@ -22,7 +31,8 @@ Vector3d LevelSetModel::firstOrderStep(double level) const
   Eigen::Matrix<double, 2, 3> jacobian;
   jacobian << this->valueGradient.transpose(), this->distanceGradient.transpose();
   const Eigen::Matrix2d gram = jacobian * jacobian.transpose();
-  if (!(gram.determinant() > 1e-14 * gram(0, 0) * gram(1, 1)))
+  const bool flat = !(std::sqrt(gram(0, 0)) * this->reach > FlatFraction);
+  if (flat || !(gram.determinant() > 1e-14 * gram(0, 0) * gram(1, 1)))
   {
     return Vector3d::Constant(std::numeric_limits<double>::infinity());
   }

@@ -75,8 +75,8 @@ void checkParameters(
     require(std::isfinite(length) && length >= 0.0, "lengths of 0 (automatic) or more",
       std::to_string(length), "Correct SearchRadius, KernelWidth, LinkDistance or SampleSpacing.");
   }
-  require(
-    parameters.tolerance > 0.0 && std::isfinite(parameters.tolerance) && parameters.maximumIterations >= 1,
+  require(parameters.tolerance > 0.0 && std::isfinite(parameters.tolerance) &&
+      parameters.maximumIterations >= 1,
     "a positive finite Tolerance and at least 1 iteration",
     std::to_string(parameters.tolerance) + " and " + std::to_string(parameters.maximumIterations),
     "Use 1e-7 and 20 if in doubt.");
@@ -95,7 +95,8 @@ void checkSpread(const NeighborGraph& graph)
     covariance += offset * offset.transpose();
   }
   const Vector3d variances =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly)
+      .eigenvalues();
   require(variances[1] > 1e-20 * variances[2], "points spread over a surface",
     std::to_string(points.cols()) + " points on one line", "Choose another input.");
 }
@@ -173,8 +174,8 @@ void LevelSetTracing::chooseFitSize()
 
 TracingLimits LevelSetTracing::tracingLimits() const
 {
-  // Random samples leave a disc of radius r (in steps) empty with probability exp(-pi r^2) at a place; this radius makes
-  // an empty disc unlikely among all the places there are.
+  // Random samples leave a disc of radius r (in steps) empty with probability exp(-pi r^2) at a
+  // place; this radius makes an empty disc unlikely among all the places there are.
   double voidRadius = std::sqrt(std::log(1e5 * this->function_.graph.pointCount()) / Pi);
   const double link = this->parameters_.linkDistance;
   if (link > 0.0)

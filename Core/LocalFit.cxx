@@ -127,7 +127,8 @@ bool LocalFit::solve(const WeightedSamples& samples)
   {
     return false;
   }
-  for (int side = 0; side < 2; ++side) // one at a time: Eigen's matrix kernels are slow for sizes like these
+  for (int side = 0; side < 2;
+       ++side) // one at a time: Eigen's matrix kernels are slow for sizes like these
   {
     this->coefficients_.col(side).template head<Terms>() = factor.solve(rightSides.col(side));
   }

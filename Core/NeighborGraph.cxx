@@ -161,9 +161,8 @@ double NeighborGraph::Implementation::samplingStep(Index point) const
   {
     return this->query.radius;
   }
-  const double sigma = (this->sorted.points.col(this->indices[end - 1]) -
-    this->sorted.points.col(point))
-                         .norm();
+  const double sigma =
+    (this->sorted.points.col(this->indices[end - 1]) - this->sorted.points.col(point)).norm();
   return sigma * std::sqrt(Pi / static_cast<double>(end - begin));
 }
 

@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t Sites = 128;
 constexpr int LargestCount = 512;
 constexpr double NegligibleMisfit = 1e-3; // in sampling steps: nobody sees it
-constexpr double WidthToNoise = 3.0; // of an admissible neighbourhood
+constexpr double WidthToNoise = 3.0;      // of an admissible neighbourhood
 constexpr double VarianceShare =
   8.0; // of the noise's variance in that of the fit's centre is this / k, for degree 2
 constexpr double BiasShare =

@@ -16,6 +16,7 @@ constexpr int NewtonIterations = 20;
 constexpr double NewtonTolerance = 1e-12; // in neighbourhood radii
 constexpr int LargestEnlargement = 8; // of a neighbourhood that does not determine the polynomials
 constexpr double LargestVoid = 0.5;   // distance to the nearest sample, in neighbourhood radii
+constexpr double VoidWidening = 2.0;  // of the neighbourhood beyond that
 
 class PolynomialModel : public LevelSetModel
 {
@@ -34,8 +35,9 @@ public:
 private:
   bool fit(const Vector3d& place, int count, int degree);
   void gather(const Vector3d& place, int count);
-  double weigh(const Vector3d& place, int count);
-  bool isInVoid() const;
+  void copySamples();
+  double radiusAround(const Vector3d& place, int count);
+  void weigh(const Vector3d& place, double radius);
   bool evaluateAtCentre();
   double valueOn(const Vector2d& uv, Vector2d& gradient) const;
 
@@ -70,6 +72,11 @@ void PolynomialModel::gather(const Vector3d& place, int count)
     const std::size_t last = std::min(squared.size(), static_cast<std::size_t>(count)) - 1;
     this->gatherMargin_ = 0.5 * (std::sqrt(squared.back()) - std::sqrt(squared[last]));
   }
+  this->copySamples();
+}
+
+void PolynomialModel::copySamples()
+{
   const auto found = static_cast<Eigen::Index>(this->neighborhood_.indices.size());
   this->samples_.points.resize(3, found);
   this->samples_.values.resize(found);
@@ -83,26 +90,33 @@ void PolynomialModel::gather(const Vector3d& place, int count)
   }
 }
 
-/// Sets weights (1 - r^2 / radius^2)^2, which vanish smoothly at the count-th sample; returns that
-/// radius.
-double PolynomialModel::weigh(const Vector3d& place, int count)
+/// Distance to the count-th sample; more in a void, so that samples from across a hole take part.
+/// Continuous in the place.
+double PolynomialModel::radiusAround(const Vector3d& place, int count)
 {
   const Eigen::Index found = this->samples_.weights.size();
   this->squaredDistances_.resize(static_cast<std::size_t>(found));
   for (Eigen::Index i = 0; i < found; ++i)
   {
-    this->samples_.weights[i] = (this->samples_.points.col(i) - place).squaredNorm();
-    this->squaredDistances_[static_cast<std::size_t>(i)] = this->samples_.weights[i];
+    this->squaredDistances_[static_cast<std::size_t>(i)] =
+      (this->samples_.points.col(i) - place).squaredNorm();
   }
-  const auto last = this->squaredDistances_.begin() + std::min<Eigen::Index>(count, found) - 1;
-  std::nth_element(this->squaredDistances_.begin(), last, this->squaredDistances_.end());
-  const double squaredRadius = std::max(*last, this->size_.radius * this->size_.radius);
-  for (Eigen::Index i = 0; i < found; ++i)
+  const auto first = this->squaredDistances_.begin();
+  const auto last = first + std::min<Eigen::Index>(count, found) - 1;
+  std::nth_element(first, last, this->squaredDistances_.end());
+  const double radius = std::max(std::sqrt(*last), this->size_.radius);
+  const double nearest = std::sqrt(*std::min_element(first, last + 1)) / radius;
+  return radius * (1.0 + VoidWidening * std::max(0.0, nearest - LargestVoid));
+}
+
+/// Weights (1 - r^2 / radius^2)^2, which vanish smoothly at the radius.
+void PolynomialModel::weigh(const Vector3d& place, double radius)
+{
+  for (Eigen::Index i = 0; i < this->samples_.weights.size(); ++i)
   {
-    const double w = 1.0 - this->samples_.weights[i] / squaredRadius;
+    const double w = 1.0 - (this->samples_.points.col(i) - place).squaredNorm() / (radius * radius);
     this->samples_.weights[i] = w > 0.0 ? w * w : 0.0;
   }
-  return std::sqrt(squaredRadius);
 }
 
 bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
@@ -112,15 +126,18 @@ bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
   {
     this->gather(place, count);
   }
-  this->reach = this->weigh(place, count);
+  this->reach = this->radiusAround(place, count);
+  const auto gathered = static_cast<std::size_t>(count);
+  if (this->reach * this->reach >
+      *std::max_element(this->squaredDistances_.begin(), this->squaredDistances_.end()) &&
+    gathered < this->function_.graph.pointCount())
+  {
+    this->function_.graph.within(place, this->reach, this->neighborhood_);
+    this->copySamples();
+    this->gatheredCount_ = 0; // of no use for another place
+  }
+  this->weigh(place, this->reach);
   return this->fit_.compute(place, this->samples_, this->reach, degree);
-}
-
-bool PolynomialModel::isInVoid() const
-{
-  // The weight of the nearest sample, (1 - r^2 / radius^2)^2.
-  const double void_ = 1.0 - LargestVoid * LargestVoid;
-  return this->samples_.weights.maxCoeff() < void_ * void_;
 }
 
 bool PolynomialModel::centre(const Vector3d& place)
@@ -133,15 +150,15 @@ bool PolynomialModel::centre(const Vector3d& place)
   {
     return true;
   }
-  // Samples on a few parallel lines do not determine the polynomials, nor do those around a hole
-  // across it: take more of them, then a lower degree.
+  // Samples on a few parallel lines do not determine the polynomials: take more of them, then a
+  // lower degree.
   const int all = static_cast<int>(this->function_.graph.pointCount());
   for (int degree = this->degree_; degree >= 1; --degree)
   {
     for (int more = 1;; more *= 2)
     {
       const bool last = more == LargestEnlargement || this->size_.count * more >= all;
-      if (this->fit(place, this->size_.count * more, degree) && (last || !this->isInVoid()))
+      if (this->fit(place, this->size_.count * more, degree))
       {
         return this->centred_ = this->evaluateAtCentre();
       }

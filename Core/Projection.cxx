@@ -1,5 +1,7 @@
 #include "Projection.h"
 
+#include <cmath>
+
 namespace SurfaceScalars
 {
 
@@ -19,7 +21,7 @@ std::optional<LevelSetPoint> project(
     if (point.converged || i >= limits.maximumIterations)
     {
       point.normal = model.normal();
-      return point;
+      return std::isfinite(point.residual) ? std::optional<LevelSetPoint>(point) : std::nullopt;
     }
     const std::optional<Vector3d> next = model.solve(level, point.position);
     if (!next || !((*next - start).norm() <= limits.farthest))

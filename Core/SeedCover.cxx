@@ -3,6 +3,7 @@
 #include "Polyline.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace SurfaceScalars
 {
@@ -12,6 +13,7 @@ namespace
 // In widened sampling steps.
 constexpr double PassedDistance = 0.75;
 constexpr double PassedBeyondEnd = 2.5;
+constexpr double SmallestAlignment = 0.8; // cosine
 
 } // namespace
 
@@ -22,60 +24,69 @@ SeedCover::SeedCover(const std::vector<LevelSetPoint>& seeds)
 {
 }
 
-void SeedCover::passSegment(const Vector3d& from, const Vector3d& to, double distance)
+void SeedCover::passAlong(const Segment& segment, double distance, std::size_t by)
 {
-  this->tree_.within(0.5 * (from + to), 0.5 * (to - from).norm() + distance, this->near_);
+  const Vector3d along = segment.to - segment.from;
+  this->tree_.within(segment.from + 0.5 * along, 0.5 * along.norm() + distance, this->near_);
   for (const Index seed : this->near_.indices)
   {
-    if (distanceToSegment(this->positions_.col(seed), from, to) <= distance)
+    const bool close =
+      distanceToSegment(this->positions_.col(seed), segment.from, segment.to) <= distance;
+    if (close && (by != PastEnd || !this->isPassed(seed)))
     {
-      this->passedBy_[seed] = this->segments_.size();
+      this->passedBy_[seed] = by;
     }
   }
-  this->segments_.push_back({ from, to });
 }
 
 void SeedCover::pass(const TracedCurve& curve)
 {
   const std::size_t count = curve.points.size();
-  const auto beyond = [&](std::size_t end, double direction)
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i)
+  {
+    const Segment segment{ curve.points[i].position, curve.points[(i + 1) % count].position };
+    this->passAlong(segment, PassedDistance * curve.steps[i], this->segments_.size());
+    this->segments_.push_back(segment);
+  }
+  const auto passBeyond = [&](std::size_t end, double direction)
   {
     const Vector3d& position = curve.points[end].position;
     const double step = curve.steps[end];
-    this->passSegment(
-      position, position + direction * PassedBeyondEnd * step * curve.tangents[end], step);
+    const Vector3d along = direction * PassedBeyondEnd * step * curve.tangents[end];
+    this->passAlong({ position, position + along }, step, PastEnd);
   };
-  if (!curve.closed)
+  if (!curve.closed && !curve.startsAtSaddle)
   {
-    beyond(0, -1.0);
+    passBeyond(0, -1.0);
   }
-  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i)
+  if (!curve.closed && !curve.endsAtSaddle)
   {
-    this->passSegment(curve.points[i].position, curve.points[(i + 1) % count].position,
-      PassedDistance * curve.steps[i]);
-  }
-  if (!curve.closed)
-  {
-    beyond(count - 1, 1.0);
+    passBeyond(count - 1, 1.0);
   }
 }
 
-bool SeedCover::isOnCurve(const Vector3d& place, double distance)
+bool SeedCover::isOnCurve(const Vector3d& place, double distance, const Vector3d& direction)
 {
+  const auto runsAlong = [&](const Segment& segment)
+  {
+    const Vector3d along = segment.to - segment.from;
+    return direction.isZero() || std::abs(along.dot(direction)) > SmallestAlignment * along.norm();
+  };
   this->tree_.within(place, 2.0 * distance, this->near_);
   for (const Index seed : this->near_.indices)
   {
-    if (!this->isPassed(seed))
+    const std::size_t passed = this->passedBy_[seed];
+    if (passed == None || passed == PastEnd)
     {
       continue;
     }
     // The curve may have come closer to the place before or after it passed the seed.
     const std::size_t around = 4;
-    const std::size_t passed = this->passedBy_[seed];
     const std::size_t end = std::min(passed + around + 1, this->segments_.size());
     for (std::size_t i = passed - std::min(passed, around); i < end; ++i)
     {
-      if (distanceToSegment(place, this->segments_[i].from, this->segments_[i].to) <= distance)
+      const Segment& segment = this->segments_[i];
+      if (distanceToSegment(place, segment.from, segment.to) <= distance && runsAlong(segment))
       {
         return true;
       }

@@ -135,7 +135,8 @@ TEST(LevelSetsFit, leastSquaresKeepsCleanCurves)
   }
 }
 
-// With noise it is smoother: what the curves of a level turn beyond the 2 pi that each closed one must falls.
+// With noise it is smoother: what the curves of a level turn beyond the 2 pi that each closed one
+// must falls.
 TEST(LevelSetsFit, leastSquaresSmoothsNoisyCurves)
 {
   Disc disc;
@@ -161,6 +162,27 @@ TEST(LevelSetsFit, leastSquaresSmoothsNoisyCurves)
   for (std::size_t level = 0; level < 3; ++level)
   {
     EXPECT_LT(turningAfter[level], 0.7 * turningBefore[level]);
+  }
+}
+
+// The spacing is even along the curve, not along the spline's parameter: also on an ellipse, whose
+// curvature changes by a factor of 40.
+TEST(LevelSetsFit, spacingIsEvenOnCurvesOfChangingCurvature)
+{
+  const auto elliptic = [](const Vector3d& p) { return p.x() * p.x() + 12.0 * p.y() * p.y(); };
+  const Points points = randomPlane(5000, 3);
+  for (const CurveFit fit : { CurveFit::Interpolate, CurveFit::LeastSquares })
+  {
+    SCOPED_TRACE(fit == CurveFit::Interpolate ? "interpolating" : "least squares");
+    ContourParameters parameters = at({ 0.3 });
+    parameters.fit = fit;
+    parameters.sampleSpacing = 0.014; // half a step
+    const Traced traced = trace(points, valuesOf(elliptic, points), parameters);
+    ASSERT_EQ(traced.levelSets.componentCounts, std::vector<int>{ 1 });
+    const auto lengths = segmentLengths(traced.levelSets.curves.front());
+    const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+    EXPECT_GT(*shortest, 0.9 * *longest);
+    EXPECT_NEAR(*longest, parameters.sampleSpacing, 0.1 * parameters.sampleSpacing);
   }
 }
 

@@ -1,7 +1,11 @@
+#include "Functions.h"
+#include "Sampling.h"
+#include "Tracing.h"
 #include "TruthRun.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace SurfaceScalars::Truth
@@ -48,6 +52,34 @@ TEST(LevelSetsNoise, isReducedOnValues)
   const TruthResult result = runNoisy(0.0, 0.01);
   EXPECT_GE(result.rightFraction(), 0.9);
   EXPECT_LE(result.score.pointMean(), 0.35);
+}
+
+// With too few neighbours for the noise curves may break or multiply, but none runs on and on:
+// together they are not much longer than the circles they stand for.
+TEST(LevelSetsNoise, tooFewNeighboursDoNotRunAway)
+{
+  const auto squaredRadius = [](const Vector3d& p) { return p.squaredNorm(); };
+  for (const unsigned seed : { 1u, 2u, 3u })
+  {
+    const Points points = randomPlane(20000, seed);
+    Values values = valuesOf(squaredRadius, points);
+    addNoise(values, 0.02, seed + 1);
+    for (const int neighborCount : { 8, 24, 50, 100 })
+    {
+      ContourParameters parameters = at({ 0.09, 0.25, 0.49 });
+      parameters.neighborCount = neighborCount;
+      std::vector<double> lengths(3, 0.0);
+      for (const LevelSetCurve& curve : trace(points, values, parameters).levelSets.curves)
+      {
+        lengths[curve.level] += curve.length;
+      }
+      for (std::size_t level = 0; level < 3; ++level)
+      {
+        const double circumference = 2.0 * Pi * std::sqrt(parameters.isoValues[level]);
+        EXPECT_LT(lengths[level], 5.0 * circumference) << neighborCount << ", " << seed;
+      }
+    }
+  }
 }
 
 } // namespace

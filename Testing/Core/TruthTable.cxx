@@ -53,6 +53,24 @@ TruthResult runSeeds(const TruthCase& truthCase, TruthSampling sampling,
   return all;
 }
 
+/// The character that separates columns is escaped.
+std::string functionName(const TruthCase& truthCase)
+{
+  std::string name = truthCase.function.name;
+  for (std::size_t i = name.find('|'); i != std::string::npos; i = name.find('|', i + 2))
+  {
+    name.insert(i, 1, '\\');
+  }
+  return name;
+}
+
+std::string threeDigits(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3f", value);
+  return text;
+}
+
 const char* surfaceName(const TruthCase& truthCase)
 {
   return truthCase.torus == Torus::Closed ? "closed" : "cut";
@@ -75,7 +93,7 @@ void printDefaultScheme()
       const bool accurate = pointCount < 100000 ||
         (score.pointMean() <= 0.01 && score.pointMaximum <= 0.1 && score.exactMaximum <= 0.1);
       std::printf("| %d | %s | %s | %d of %d | %.5f | %.4f | %.4f | %.4f | %s |\n", pointCount,
-        truthCase.function.name.c_str(), surfaceName(truthCase), result.rightCount,
+        functionName(truthCase).c_str(), surfaceName(truthCase), result.rightCount,
         result.isoValueCount, score.pointMean(), score.pointMaximum, score.exactMaximum,
         score.exactInnerMaximum, kept(accurate).c_str());
       std::fflush(stdout);
@@ -113,9 +131,9 @@ void printNoise()
       const double relative = onPoints ? mean / result.pointNoiseInSteps : std::nan("");
       const bool small = onPoints ? relative <= 0.3 : mean <= 0.35;
       std::printf("| %s | %s | %s | %d | %d of %d | %.3f | %s | %s |\n", noise.name,
-        truthCase.function.name.c_str(), surfaceName(truthCase), result.neighborCount,
+        functionName(truthCase).c_str(), surfaceName(truthCase), result.neighborCount,
         result.rightCount, result.isoValueCount, mean,
-        onPoints ? std::to_string(relative).c_str() : "", kept(small).c_str());
+        onPoints ? threeDigits(relative).c_str() : "", kept(small).c_str());
       std::fflush(stdout);
       total.add(result);
     }
