@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr double LargestGap = 1.5; // in widened sampling steps
+constexpr double SmallestGap = 0.2;
 constexpr double LargestOverlap = 0.5;
 constexpr double LargestTurn = 1.05; // angle between the curves and across the gap
 
@@ -99,8 +100,22 @@ void reverse(TracedCurve& curve)
   }
 }
 
+/// Drops points at the end of a curve that lie beyond the beginning of the next: the join would fold back.
+void trimEnd(TracedCurve& curve, const Vector3d& next)
+{
+  while (curve.points.size() > 2 &&
+    (next - curve.points.back().position).dot(curve.tangents.back()) <
+      SmallestGap * curve.steps.back())
+  {
+    curve.points.pop_back();
+    curve.tangents.pop_back();
+    curve.steps.pop_back();
+  }
+}
+
 void append(TracedCurve& curve, const TracedCurve& tail)
 {
+  trimEnd(curve, tail.points.front().position);
   curve.points.insert(curve.points.end(), tail.points.begin(), tail.points.end());
   curve.tangents.insert(curve.tangents.end(), tail.tangents.begin(), tail.tangents.end());
   curve.steps.insert(curve.steps.end(), tail.steps.begin(), tail.steps.end());
@@ -125,6 +140,7 @@ std::vector<TracedCurve> joinEnds(std::vector<TracedCurve> curves)
     TracedCurve& first = curves[a.curve];
     if (a.curve == b.curve)
     {
+      trimEnd(first, first.points.front().position);
       first.closed = true;
       continue;
     }

@@ -22,6 +22,9 @@ constexpr double LargestTurn = 0.7;
 constexpr double LargestResidual = 0.2; // of a point that did not converge: noise moves the model
 constexpr double LargestJump = 0.1;     // of the model from one place to the next
 constexpr double ClosingDistance = 0.5;
+constexpr double ShortestLoop = 4.0;
+constexpr std::size_t WindingCheck =
+  64; // stations between checks whether a curve runs along itself
 constexpr double OnCurveDistance = 0.75;
 constexpr double Overhang =
   0.5; // of a curve beyond the outermost samples, in sampling steps not widened
@@ -83,6 +86,9 @@ private:
   void measureSupport(Station& station);
   bool closes(const std::vector<Station>& path, const Station& next, double length) const;
   std::optional<Station> saddleAhead(const Station& station);
+  std::optional<std::size_t> woundOnto(const std::vector<Station>& path, std::size_t station) const;
+  bool closeWinding(std::vector<Station>& path) const;
+  TracedCurve loop(const std::vector<Station>& path) const;
   TracedCurve join(const std::vector<Station>& forward, const std::vector<Station>& backward) const;
 
   LevelSetModel& model_;
@@ -282,6 +288,10 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
       return End::Closed;
     }
     path.push_back(*next);
+    if (path.size() % WindingCheck == 0 && this->closeWinding(path))
+    {
+      return End::Closed;
+    }
     lastSupported = next->supported ? path.size() : lastSupported;
     const bool onCurve =
       this->cover_.isOnCurve(next->point.position, OnCurveDistance * next->step, next->direction);
@@ -295,6 +305,55 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
   }
   path.resize(lastSupported, path.front());
   return End::Open;
+}
+
+/// Index of the first segment that a station runs along the same way, among those that end a while
+/// before it; or none.
+std::optional<std::size_t> Tracer::woundOnto(
+  const std::vector<Station>& path, std::size_t station) const
+{
+  const Station& here = path[station];
+  double length = 0.0;
+  std::size_t last = station;
+  for (; last > 0 && length < ShortestLoop * here.step; --last)
+  {
+    length += (path[last].point.position - path[last - 1].point.position).norm();
+  }
+  for (std::size_t i = 0; i < last; ++i)
+  {
+    if (here.direction.dot(path[i].direction) > 0.8 &&
+      distanceToSegment(here.point.position, path[i].point.position, path[i + 1].point.position) <
+        ClosingDistance * here.step)
+    {
+      return i + 1;
+    }
+  }
+  return {};
+}
+
+/// A trace that noise led past its start runs round and round: if it does, keeps one round.
+bool Tracer::closeWinding(std::vector<Station>& path) const
+{
+  if (!this->woundOnto(path, path.size() - 1))
+  {
+    return false;
+  }
+  std::size_t end = path.size() - 1;
+  std::optional<std::size_t> begin = this->woundOnto(path, end);
+  // Back to where the second round began.
+  while (end > 0)
+  {
+    const std::optional<std::size_t> before = this->woundOnto(path, end - 1);
+    if (!before)
+    {
+      break;
+    }
+    begin = before;
+    --end;
+  }
+  path.assign(path.begin() + static_cast<std::ptrdiff_t>(*begin),
+    path.begin() + static_cast<std::ptrdiff_t>(end));
+  return path.size() >= 3;
 }
 
 TracedCurve Tracer::join(
@@ -336,14 +395,20 @@ std::optional<Station> Tracer::start(const LevelSetPoint& seed)
   return station.supported ? std::optional<Station>(station) : std::nullopt;
 }
 
+TracedCurve Tracer::loop(const std::vector<Station>& path) const
+{
+  TracedCurve curve = this->join(path, { path.front() });
+  curve.startsAtSaddle = curve.endsAtSaddle = false;
+  curve.closed = true;
+  return curve;
+}
+
 TracedCurve Tracer::trace(const Station& start)
 {
   std::vector<Station> forward{ start };
   if (this->extend(forward, true) == End::Closed)
   {
-    TracedCurve curve = this->join(forward, { start });
-    curve.closed = true;
-    return curve;
+    return this->loop(forward);
   }
   if (!this->model_.centre(start.point.position))
   {
@@ -351,7 +416,10 @@ TracedCurve Tracer::trace(const Station& start)
   }
   std::vector<Station> backward{ start };
   backward.front().direction = -start.direction;
-  this->extend(backward, false);
+  if (this->extend(backward, false) == End::Closed)
+  {
+    return this->loop(backward);
+  }
   TracedCurve curve = this->join(forward, backward);
   // Both ends at one saddle: a loop through it.
   curve.closed = curve.points.size() > 3 &&
