@@ -89,14 +89,13 @@ NeighborGraph::Implementation::Implementation(
   , query(neighborQuery)
   , count(std::min<std::size_t>(
       static_cast<std::size_t>(std::max(1, neighborQuery.count)), sorted.inputOfPoint.size() - 1))
-  , tree(sorted.points)
+  , tree(sorted.points, execution.part(0.15, 0.3))
 {
   if (this->count < 1)
   {
     throw InvalidInput("at least 2 different points",
       std::to_string(points.cols()) + " points at one place", "Choose a larger input.");
   }
-  execution.report(0.3);
   if (this->query.radius > 0.0)
   {
     this->linkWithin(execution.part(0.3, 1.0));

@@ -12,6 +12,9 @@ namespace
 {
 
 constexpr std::size_t PointsPerLeaf = 24; // measured
+// Parts are built side by side; more of them than threads only costs searches.
+constexpr Eigen::Index PointsPerPart = 32768;
+constexpr Eigen::Index MostParts = 2;
 constexpr double Unbounded = std::numeric_limits<double>::max();
 
 /// The points as nanoflann wants to see them.
@@ -153,23 +156,93 @@ private:
 
 constexpr std::size_t LargestOrderedCount = 64; // measured: from here on the buffer is faster
 
+/// A tree over a run of the points, with its bounding box.
+struct Part
+{
+  Index first;
+  PointAccess access;
+  KdTree index;
+  Vector3d low;
+  Vector3d high;
+
+  Part(const Points& points, Eigen::Index begin, Eigen::Index count)
+    : first(static_cast<Index>(begin))
+    , access{ points.data() + 3 * begin, static_cast<std::size_t>(count) }
+    , index(3, this->access, nanoflann::KDTreeSingleIndexAdaptorParams(PointsPerLeaf))
+    , low(points.middleCols(begin, count).rowwise().minCoeff())
+    , high(points.middleCols(begin, count).rowwise().maxCoeff())
+  {
+  }
+
+  double squaredDistance(const Vector3d& place) const
+  {
+    return (place - place.cwiseMax(this->low).cwiseMin(this->high)).squaredNorm();
+  }
+};
+
+/// Hands what a part finds on, with the indices of the whole.
+template <class ResultSet>
+struct Shifted
+{
+  ResultSet& found;
+  Index shift;
+
+  std::size_t size() const { return this->found.size(); }
+  bool full() const { return this->found.full(); }
+  double worstDist() const { return this->found.worstDist(); }
+  bool addPoint(double distance, Index index)
+  {
+    return this->found.addPoint(distance, index + this->shift);
+  }
+};
+
 } // namespace
 
 struct PointTree::Tree
 {
-  PointAccess access;
-  KdTree index;
+  std::vector<std::unique_ptr<Part>> parts;
 
-  explicit Tree(const Points& points)
-    : access{ points.data(), static_cast<std::size_t>(points.cols()) }
-    , index(3, access, nanoflann::KDTreeSingleIndexAdaptorParams(PointsPerLeaf))
+  template <class ResultSet>
+  void search(const Vector3d& place, ResultSet& found) const
   {
+    const auto searchPart = [&](const Part& part)
+    {
+      Shifted<ResultSet> shifted{ found, part.first };
+      part.index.findNeighbors(shifted, place.data(), {});
+    };
+    // The part that the place lies in or next to bounds what the others can add.
+    double distances[MostParts];
+    std::size_t closest = 0;
+    for (std::size_t i = 0; i < this->parts.size(); ++i)
+    {
+      distances[i] = this->parts[i]->squaredDistance(place);
+      closest = distances[i] < distances[closest] ? i : closest;
+    }
+    searchPart(*this->parts[closest]);
+    for (std::size_t i = 0; i < this->parts.size(); ++i)
+    {
+      if (i != closest && distances[i] < found.worstDist())
+      {
+        searchPart(*this->parts[i]);
+      }
+    }
   }
 };
 
-PointTree::PointTree(const Points& points)
-  : tree_(std::make_unique<Tree>(points))
+PointTree::PointTree(const Points& points, const Execution& execution)
+  : tree_(std::make_unique<Tree>())
 {
+  const Eigen::Index count = points.cols();
+  const Eigen::Index parts = std::clamp<Eigen::Index>(count / PointsPerPart, 1, MostParts);
+  this->tree_->parts.resize(static_cast<std::size_t>(parts));
+  parallelForEach(this->tree_->parts.size(), execution,
+    [&](std::size_t i, const Poll&)
+    {
+      const auto part = static_cast<Eigen::Index>(i);
+      const Eigen::Index begin = part * count / parts;
+      this->tree_->parts[i] =
+        std::make_unique<Part>(points, begin, (part + 1) * count / parts - begin);
+    });
 }
 
 PointTree::~PointTree() = default;
@@ -182,7 +255,7 @@ void PointTree::nearest(const Vector3d& place, std::size_t count, Neighborhood& 
   {
     std::vector<BufferedNearest::Found> buffer;
     BufferedNearest found(buffer, count);
-    this->tree_->index.findNeighbors(found, place.data(), {});
+    this->tree_->search(place, found);
     found.finish();
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -192,19 +265,21 @@ void PointTree::nearest(const Vector3d& place, std::size_t count, Neighborhood& 
     return;
   }
   BoundedNearest found(result.indices.data(), result.squaredDistances.data(), count, Unbounded);
-  this->tree_->index.findNeighbors(found, place.data(), {});
+  this->tree_->search(place, found);
 }
 
 void PointTree::within(const Vector3d& place, double radius, Neighborhood& result) const
 {
-  std::vector<std::pair<Index, double>> found;
-  this->tree_->index.radiusSearch(place.data(), radius * radius, found, {});
-  result.indices.resize(found.size());
-  result.squaredDistances.resize(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i)
+  std::vector<std::pair<Index, double>> pairs;
+  nanoflann::RadiusResultSet<double, Index> found(radius * radius, pairs);
+  this->tree_->search(place, found);
+  std::sort(pairs.begin(), pairs.end(), nanoflann::IndexDist_Sorter());
+  result.indices.resize(pairs.size());
+  result.squaredDistances.resize(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    result.indices[i] = found[i].first;
-    result.squaredDistances[i] = found[i].second;
+    result.indices[i] = pairs[i].first;
+    result.squaredDistances[i] = pairs[i].second;
   }
 }
 
@@ -223,7 +298,7 @@ const Index* NearestSearch::around(const Vector3d& place)
   const double bound = std::min(Unbounded, radius * radius * (1.0 + 1e-12));
   BoundedNearest found(
     this->indices_.data(), this->squaredDistances_.data(), this->indices_.size(), bound);
-  this->tree_.tree_->index.findNeighbors(found, place.data(), {});
+  this->tree_.tree_->search(place, found);
   this->last_ = place;
   return this->indices_.data();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Basics.h"
+#include "Execution.h"
 #include "NeighborGraph.h"
 
 #include <memory>
@@ -9,11 +10,11 @@
 namespace SurfaceScalars
 {
 
-/// A k-d tree over points that stay where they are; the only place that knows nanoflann.
+/// k-d trees over points that stay where they are; the only place that knows nanoflann.
 class PointTree
 {
 public:
-  explicit PointTree(const Points& points);
+  explicit PointTree(const Points& points, const Execution& execution = {});
   ~PointTree();
 
   /// The `count` nearest points, nearest first; count <= number of points.
