@@ -1,6 +1,6 @@
 #include "CurveJoining.h"
 
-#include "Polyline.h"
+#include "PointTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,9 @@ namespace
 
 constexpr double LargestGap = 1.5; // in widened sampling steps
 constexpr double SmallestGap = 0.2;
+constexpr double SmallestCosine = 0.7; // of the angles between the curves and the way across
+constexpr std::size_t FewestInLoop = 6;
+constexpr int MostTrimmed = 16; // points, to make that so
 constexpr double LargestOverlap = 0.5;
 constexpr double LargestTurn = 1.05; // angle between the curves and across the gap
 
@@ -66,12 +69,25 @@ bool fit(const End& a, const End& b)
 std::vector<Pair> fittingPairs(const std::vector<TracedCurve>& curves, const std::vector<End>& ends)
 {
   std::vector<Pair> pairs;
+  if (ends.empty())
+  {
+    return pairs;
+  }
+  Points positions(3, static_cast<Eigen::Index>(ends.size()));
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    positions.col(static_cast<Eigen::Index>(i)) = ends[i].position;
+  }
+  const PointTree tree(positions);
+  Neighborhood near;
   for (std::size_t a = 0; a < ends.size(); ++a)
   {
-    for (std::size_t b = a + 1; b < ends.size(); ++b)
+    tree.within(ends[a].position, LargestGap * ends[a].step, near);
+    for (const Index b : near.indices)
     {
       const bool same = ends[a].curve == ends[b].curve;
-      if (fit(ends[a], ends[b]) && (!same || curves[ends[a].curve].points.size() > 6))
+      if (a < b && fit(ends[a], ends[b]) &&
+        (!same || curves[ends[a].curve].points.size() > FewestInLoop))
       {
         pairs.push_back({ (ends[a].position - ends[b].position).norm(), a, b });
       }
@@ -100,51 +116,57 @@ void reverse(TracedCurve& curve)
   }
 }
 
-/// Drops points at the end of a curve that lie beyond the beginning of the next: the join would fold back.
-void trimEnd(TracedCurve& curve, const Vector3d& next)
+/// Whether a way from one tangent to another is neither backwards nor a kink.
+bool isSmooth(const Vector3d& from, const Vector3d& way, const Vector3d& to, double step)
 {
-  while (curve.points.size() > 2 &&
-    (next - curve.points.back().position).dot(curve.tangents.back()) <
-      SmallestGap * curve.steps.back())
+  const double length = way.norm();
+  return length >= SmallestGap * step && way.dot(from) >= SmallestCosine * length &&
+    way.dot(to) >= SmallestCosine * length;
+}
+
+/// Drops points at the end of a curve until the way to the beginning of the next is smooth: the two
+/// may overlap a little.
+/// @returns whether that can be done
+bool trimEnd(TracedCurve& curve, const Vector3d& next, const Vector3d& nextTangent)
+{
+  for (int i = 0; i < MostTrimmed && curve.points.size() > 3; ++i)
   {
+    if (isSmooth(curve.tangents.back(), next - curve.points.back().position, nextTangent,
+          curve.steps.back()))
+    {
+      return true;
+    }
     curve.points.pop_back();
     curve.tangents.pop_back();
     curve.steps.pop_back();
   }
+  return false;
 }
 
-void append(TracedCurve& curve, const TracedCurve& tail)
+bool append(TracedCurve& curve, const TracedCurve& tail)
 {
-  trimEnd(curve, tail.points.front().position);
+  if (!trimEnd(curve, tail.points.front().position, tail.tangents.front()))
+  {
+    return false;
+  }
   curve.points.insert(curve.points.end(), tail.points.begin(), tail.points.end());
   curve.tangents.insert(curve.tangents.end(), tail.tangents.begin(), tail.tangents.end());
   curve.steps.insert(curve.steps.end(), tail.steps.begin(), tail.steps.end());
   curve.endsAtSaddle = tail.endsAtSaddle;
+  return true;
 }
 
-} // namespace
-
-std::vector<TracedCurve> joinEnds(std::vector<TracedCurve> curves)
+/// Joins two ends, if that can be done without a kink; the second curve is then empty.
+bool join(std::vector<TracedCurve>& curves, const End& a, const End& b)
 {
-  // Each join changes the ends: few are needed, so they are found anew.
-  for (;;)
+  TracedCurve first = curves[a.curve];
+  if (a.curve == b.curve)
   {
-    const std::vector<End> ends = freeEnds(curves);
-    const std::vector<Pair> pairs = fittingPairs(curves, ends);
-    if (pairs.empty())
-    {
-      return curves;
-    }
-    const End& a = ends[pairs.front().a];
-    const End& b = ends[pairs.front().b];
-    TracedCurve& first = curves[a.curve];
-    if (a.curve == b.curve)
-    {
-      trimEnd(first, first.points.front().position);
-      first.closed = true;
-      continue;
-    }
-    TracedCurve& second = curves[b.curve];
+    first.closed = trimEnd(first, first.points.front().position, first.tangents.front());
+  }
+  else
+  {
+    TracedCurve second = curves[b.curve];
     if (!a.isBack)
     {
       reverse(first);
@@ -153,9 +175,44 @@ std::vector<TracedCurve> joinEnds(std::vector<TracedCurve> curves)
     {
       reverse(second);
     }
-    append(first, second);
-    curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(b.curve));
+    if (!append(first, second))
+    {
+      return false;
+    }
+    curves[b.curve].points.clear();
   }
+  if (a.curve == b.curve && !first.closed)
+  {
+    return false;
+  }
+  curves[a.curve] = std::move(first);
+  return true;
+}
+
+} // namespace
+
+std::vector<TracedCurve> joinEnds(std::vector<TracedCurve> curves)
+{
+  // A join changes the ends of its curves: each curve is joined once a round.
+  for (bool joined = true; joined;)
+  {
+    joined = false;
+    std::vector<bool> changed(curves.size(), false);
+    const std::vector<End> ends = freeEnds(curves);
+    for (const Pair& pair : fittingPairs(curves, ends))
+    {
+      const End& a = ends[pair.a];
+      const End& b = ends[pair.b];
+      if (!changed[a.curve] && !changed[b.curve] && join(curves, a, b))
+      {
+        joined = changed[a.curve] = changed[b.curve] = true;
+      }
+    }
+    curves.erase(std::remove_if(curves.begin(), curves.end(),
+                   [](const TracedCurve& curve) { return curve.points.empty(); }),
+      curves.end());
+  }
+  return curves;
 }
 
 } // namespace SurfaceScalars
