@@ -211,6 +211,10 @@ struct PointTree::Tree
       part.index.findNeighbors(shifted, place.data(), {});
     };
     // The part that the place lies in or next to bounds what the others can add.
+    if (this->parts.empty())
+    {
+      return;
+    }
     double distances[MostParts];
     std::size_t closest = 0;
     for (std::size_t i = 0; i < this->parts.size(); ++i)
@@ -233,7 +237,8 @@ PointTree::PointTree(const Points& points, const Execution& execution)
   : tree_(std::make_unique<Tree>())
 {
   const Eigen::Index count = points.cols();
-  const Eigen::Index parts = std::clamp<Eigen::Index>(count / PointsPerPart, 1, MostParts);
+  const Eigen::Index parts =
+    std::min(count, std::clamp<Eigen::Index>(count / PointsPerPart, 1, MostParts));
   this->tree_->parts.resize(static_cast<std::size_t>(parts));
   parallelForEach(this->tree_->parts.size(), execution,
     [&](std::size_t i, const Poll&)

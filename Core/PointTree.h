@@ -10,7 +10,8 @@
 namespace SurfaceScalars
 {
 
-/// k-d trees over points that stay where they are; the only place that knows nanoflann.
+/// k-d trees over points, of which there may be none, that stay where they are; the only place that
+/// knows nanoflann.
 class PointTree
 {
 public:
