@@ -1,16 +1,14 @@
 #include "LevelSets.h"
 
+#include "ContourChecks.h"
 #include "CurveShaper.h"
 #include "CurveTracer.h"
 #include "EdgeCrossings.h"
 #include "EdgeSampler.h"
-#include "Error.h"
 #include "NeighborhoodSize.h"
 #include "Orientation.h"
 #include "Polyline.h"
 #include "SampleThreading.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -38,68 +36,6 @@ struct Scaling
     return (0.5 * value - 0.5 * this->middle) / this->halfRange;
   }
 };
-
-void require(bool condition, const char* expected, const std::string& found, const char* remedy)
-{
-  if (!condition)
-  {
-    throw InvalidInput(expected, found, remedy);
-  }
-}
-
-void checkParameters(
-  const NeighborGraph& graph, const ValuesRef& values, const ContourParameters& parameters)
-{
-  const auto finite = [](double value) { return std::isfinite(value); };
-  require(std::all_of(parameters.isoValues.begin(), parameters.isoValues.end(), finite),
-    "finite iso-values", "NaN or infinity", "Remove it from the list.");
-  require(values.size() == graph.pointCount() && values.allFinite(), "one finite value per point",
-    std::to_string(values.size()) + " values for " + std::to_string(graph.pointCount()) + " points",
-    "Leave points without a value out.");
-  require(
-    parameters.polynomialDegree >= 1 && parameters.polynomialDegree <= LocalFit::MaximumDegree,
-    "a polynomial degree from 1 to 4", std::to_string(parameters.polynomialDegree),
-    "Choose 2 if in doubt.");
-  const int terms = LocalFit::termCount(polynomialDegree(parameters));
-  const int fewest = terms + 1; // the point in the middle, and the sample at the rim weighs nothing
-  require(static_cast<int>(graph.pointCount()) >= fewest,
-    ("at least " + std::to_string(fewest) + " different points with a value to fit a surface")
-      .c_str(),
-    std::to_string(graph.pointCount()), "Choose a larger input or a lower PolynomialDegree.");
-  require(parameters.neighborCount == 0 || parameters.neighborCount >= fewest,
-    ("a NeighborCount of 0 (automatic) or at least " + std::to_string(fewest)).c_str(),
-    std::to_string(parameters.neighborCount), "Raise it or lower PolynomialDegree.");
-  for (const double length : { parameters.searchRadius, parameters.kernelWidth,
-         parameters.linkDistance, parameters.sampleSpacing })
-  {
-    require(std::isfinite(length) && length >= 0.0, "lengths of 0 (automatic) or more",
-      std::to_string(length), "Correct SearchRadius, KernelWidth, LinkDistance or SampleSpacing.");
-  }
-  require(parameters.tolerance > 0.0 && std::isfinite(parameters.tolerance) &&
-      parameters.maximumIterations >= 1,
-    "a positive finite Tolerance and at least 1 iteration",
-    std::to_string(parameters.tolerance) + " and " + std::to_string(parameters.maximumIterations),
-    "Use 1e-7 and 20 if in doubt.");
-}
-
-/// The samples must spread over a surface: on a line they determine neither normals nor curves.
-void checkSpread(const NeighborGraph& graph)
-{
-  const Points& points = graph.points();
-  const Vector3d mean = points.rowwise().mean();
-  const double size = points.cwiseAbs().maxCoeff();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-  {
-    const Vector3d offset = (points.col(i) - mean) / size;
-    covariance += offset * offset.transpose();
-  }
-  const Vector3d variances =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-  require(variances[1] > 1e-20 * variances[2], "points spread over a surface",
-    std::to_string(points.cols()) + " points on one line", "Choose another input.");
-}
 
 class LevelSetTracing
 {
@@ -313,8 +249,7 @@ LevelSets LevelSetTracing::run(std::vector<double> levels)
 LevelSets traceLevelSets(const NeighborGraph& graph, const ValuesRef& values,
   const ContourParameters& parameters, const Execution& execution)
 {
-  checkParameters(graph, values, parameters);
-  checkSpread(graph);
+  checkContourInput(graph, values, parameters);
   std::vector<double> isoValues = parameters.isoValues;
   std::sort(isoValues.begin(), isoValues.end());
   isoValues.erase(std::unique(isoValues.begin(), isoValues.end()), isoValues.end());

@@ -112,7 +112,8 @@ void writeCurveArrays(const LevelSets& sets, vtkCellData* data)
   data->AddArray(lengths);
 }
 
-/// How many curves each iso-value has: the evolution of the level sets.
+/// How many curves each iso-value has, the evolution of the level sets; and what the automatic
+/// neighborhood size came to.
 void writeEvolution(const LevelSets& sets, vtkFieldData* data)
 {
   const auto count = static_cast<vtkIdType>(sets.isoValues.size());
@@ -125,6 +126,9 @@ void writeEvolution(const LevelSets& sets, vtkFieldData* data)
   }
   data->AddArray(isoValues);
   data->AddArray(components);
+  const auto neighbors = makeInts("NeighborCount", 1);
+  neighbors->SetValue(0, sets.neighborCount);
+  data->AddArray(neighbors);
 }
 
 } // namespace

@@ -28,8 +28,9 @@
  * - Points: an array with f's name that holds the iso-value; Normals of the surface; Residual, the
  *   first-order distance to the common zero of F - alpha and g, a length.
  *
- * - Field data: IsoValues, ascending and distinct, and ComponentCounts, the number of curves of
- *   each: the evolution of the level sets (sec. 4.3).
+ * - Field data: IsoValues, ascending and distinct; ComponentCounts, the number of curves of each:
+ *   the evolution of the level sets (sec. 4.3); NeighborCount, what the local fits used (0 if f is
+ *   constant and nothing was fitted).
  *
  * Port 1, Samples, has the samples as vertices with the same point arrays and Converged, 0 or 1.
  * Points and computed arrays are double.

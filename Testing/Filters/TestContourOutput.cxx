@@ -218,7 +218,8 @@ TEST(ContourOutput, hasTheArraysOfTheInterface)
   EXPECT_EQ(arrayNames(contours->GetPointData()), Names({ "f", "Normals", "Residual" }));
   EXPECT_EQ(
     arrayNames(contours->GetCellData()), Names({ "IsoValue", "ComponentId", "Closed", "Length" }));
-  EXPECT_EQ(arrayNames(contours->GetFieldData()), Names({ "IsoValues", "ComponentCounts" }));
+  EXPECT_EQ(arrayNames(contours->GetFieldData()),
+    Names({ "IsoValues", "ComponentCounts", "NeighborCount" }));
   EXPECT_EQ(
     arrayNames(samples->GetPointData()), Names({ "f", "Normals", "Residual", "Converged" }));
   EXPECT_NE(vtkDoubleArray::SafeDownCast(contours->GetCellData()->GetArray("IsoValue")), nullptr);

@@ -1,0 +1,181 @@
+#include "LevelSetWalker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+// Lengths are in widened sampling steps.
+constexpr double LongestStep = 2.0;
+constexpr double ShortestStep = 0.01;
+constexpr double WantedTurn =
+  0.15; // angle per step: a chord is within step * turn / 8 of the curve
+constexpr double LargestTurn = 0.7;
+constexpr double LargestResidual = 0.2; // of a point that did not converge: noise moves the model
+constexpr double LargestJump = 0.1;     // of the model from one place to the next
+constexpr double Overhang = 0.5;        // beyond the outermost samples, in steps not widened
+constexpr double OutlierFraction = 0.02;
+constexpr double SaddleDistance = 2.5;    // more than a step: it must not be stepped over
+constexpr double CriticalFraction = 1e-6; // of f's range, between a level and a saddle's value
+
+} // namespace
+
+LevelSetWalker::LevelSetWalker(
+  LevelSetModel& model, const SampledFunction& function, double level, const TracingLimits& limits)
+  : model_(model)
+  , function_(function)
+  , level_(level)
+  , limits_(limits)
+{
+}
+
+/// Widened sampling step where the model is.
+double LevelSetWalker::stepAround() const
+{
+  const Neighborhood& around = this->model_.neighborhood();
+  double sum = 0.0;
+  for (const Index i : around.indices)
+  {
+    sum += this->function_.graph.samplingStep(i);
+  }
+  return sum / static_cast<double>(around.indices.size()) * this->limits_.widening;
+}
+
+/// Whether a station is among samples: not deep in a void and not beyond the last samples of the
+/// surface.
+void LevelSetWalker::measureSupport(Station& station)
+{
+  const Neighborhood& around = this->model_.neighborhood();
+  const auto offsetOf = [&](Index i) -> Vector3d
+  { return this->function_.graph.points().col(i) - station.point.position; };
+  Vector3d mean = Vector3d::Zero();
+  double nearest = INFINITY;
+  for (const Index i : around.indices)
+  {
+    const Vector3d offset = offsetOf(i);
+    mean += offset;
+    nearest = std::min(nearest, offset.squaredNorm());
+  }
+  station.nearest = std::sqrt(nearest);
+  // How far all samples, but for outliers, lie to the one side: the distance across to the edge of
+  // the surface.
+  const Vector3d& normal = station.point.normal;
+  const Vector3d inwards = (mean - normal * normal.dot(mean)).normalized();
+  this->across_.clear();
+  for (const Index i : around.indices)
+  {
+    this->across_.push_back(inwards.dot(offsetOf(i)));
+  }
+  const auto edge = this->across_.begin() +
+    static_cast<std::ptrdiff_t>(OutlierFraction * static_cast<double>(this->across_.size()));
+  std::nth_element(this->across_.begin(), edge, this->across_.end());
+  const double step = this->samplingStep(station);
+  station.supported =
+    station.nearest <= this->limits_.voidRadius * step && *edge <= Overhang * step;
+}
+
+std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
+{
+  const Vector3d guess = from.point.position + step * from.direction;
+  const std::optional<Vector3d> predicted = this->model_.solve(this->level_, guess);
+  const ProjectionLimits limits{ this->limits_.tolerance,
+    std::max(0.5 * step, LargestJump * from.step), this->limits_.maximumIterations };
+  const std::optional<LevelSetPoint> point =
+    project(this->model_, this->level_, predicted.value_or(guess), limits);
+  if (!point)
+  {
+    return {};
+  }
+  Station next{ *point, this->model_.tangent(), this->stepAround() };
+  if (next.direction.dot(from.direction) < 0.0)
+  {
+    next.direction = -next.direction;
+    next.point.normal = -next.point.normal;
+  }
+  const Vector3d chord = next.point.position - from.point.position;
+  const double along = chord.dot(from.direction);
+  const double across = (chord - along * from.direction).norm();
+  const bool good = next.point.residual <= LargestResidual * next.step &&
+    next.direction.dot(from.direction) > std::cos(LargestTurn) && along > 0.4 * step &&
+    along < 1.6 * step && across < std::max(along, LargestJump * from.step);
+  return good ? std::optional<Station>(next) : std::nullopt;
+}
+
+std::optional<Station> LevelSetWalker::advance(const Station& from, double& step)
+{
+  step = std::min(step, LongestStep * from.step);
+  // Shortened until it is good; each failure has moved the model.
+  for (; step >= ShortestStep * from.step && this->model_.centre(from.point.position); step *= 0.5)
+  {
+    if (std::optional<Station> next = this->tryStep(from, step))
+    {
+      const double turn = std::acos(std::clamp(next->direction.dot(from.direction), -1.0, 1.0));
+      step *= std::clamp(WantedTurn / std::max(turn, 1e-6), 0.5, 1.5);
+      this->measureSupport(*next);
+      return next;
+    }
+  }
+  return {};
+}
+
+std::optional<Station> LevelSetWalker::saddleAhead(const Station& station)
+{
+  const auto within = [&](const Saddle& saddle, double reach)
+  { return (saddle.position - station.point.position).norm() <= reach * station.step; };
+
+  std::optional<Saddle> saddle = this->model_.nearbySaddle();
+  if (!saddle || !within(*saddle, SaddleDistance) ||
+    std::abs(saddle->value - this->level_) > 1e3 * CriticalFraction)
+  {
+    return {};
+  }
+  // The model's saddle moves as the model is centred at it.
+  for (int i = 0; i < this->limits_.maximumIterations; ++i)
+  {
+    const Vector3d last = saddle->position;
+    if (!this->model_.centre(last) || !(saddle = this->model_.nearbySaddle()) ||
+      !within(*saddle, SaddleDistance))
+    {
+      return {};
+    }
+    if ((saddle->position - last).norm() <= this->limits_.tolerance)
+    {
+      break;
+    }
+  }
+  const Vector3d way = saddle->position - station.point.position;
+  if (std::abs(saddle->value - this->level_) > CriticalFraction ||
+    way.dot(station.direction) < 0.5 * way.norm())
+  {
+    return {};
+  }
+  Station end = station;
+  end.point.position = saddle->position;
+  end.point.residual =
+    std::abs(this->model_.distance); // F is critical: only g has a first-order distance
+  end.point.converged = true;
+  end.isSaddle = true;
+  const Vector3d normal = this->model_.normal();
+  end.point.normal = normal.dot(station.point.normal) < 0.0 ? Vector3d(-normal) : normal;
+  return end;
+}
+
+std::optional<Station> LevelSetWalker::start(const LevelSetPoint& seed)
+{
+  const ProjectionLimits limits{ this->limits_.tolerance, INFINITY,
+    this->limits_.maximumIterations };
+  const std::optional<LevelSetPoint> point =
+    project(this->model_, this->level_, seed.position, limits);
+  if (!point || this->model_.tangent().isZero())
+  {
+    return {};
+  }
+  Station station{ *point, this->model_.tangent(), this->stepAround() };
+  this->measureSupport(station);
+  return station.supported ? std::optional<Station>(station) : std::nullopt;
+}
+
+} // namespace SurfaceScalars

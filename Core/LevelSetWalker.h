@@ -1,0 +1,58 @@
+#pragma once
+
+#include "CurveTracer.h"
+
+#include <optional>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// A point being traced: `direction` is the tangent turned the way the tracing goes.
+struct Station
+{
+  LevelSetPoint point;
+  Vector3d direction;
+  double step;          ///< widened sampling step of the place
+  double nearest = 0.0; ///< distance to the nearest sample
+  bool isSaddle = false;
+  bool supported = true; ///< samples around it: it lies on the sampled surface
+};
+
+/// Walks along a level set: from a seed onto it, from station to station, into a saddle.
+class LevelSetWalker
+{
+public:
+  LevelSetWalker(LevelSetModel& model, const SampledFunction& function, double level,
+    const TracingLimits& limits);
+
+  /// Puts a seed on the level set; none if that fails or leads off the samples.
+  std::optional<Station> start(const LevelSetPoint& seed);
+
+  /// The next station about `step` (a length) onwards, less where the curve turns. Sets the length
+  /// to try next.
+  std::optional<Station> advance(const Station& from, double& step);
+
+  /// A saddle of the level's value in front of a station, closer than the longest step: the end of
+  /// the curve.
+  std::optional<Station> saddleAhead(const Station& station);
+
+  /// The sampling step of a place, not widened.
+  double samplingStep(const Station& station) const
+  {
+    return station.step / this->limits_.widening;
+  }
+
+private:
+  double stepAround() const;
+  std::optional<Station> tryStep(const Station& from, double step);
+  void measureSupport(Station& station);
+
+  LevelSetModel& model_;
+  const SampledFunction& function_;
+  double level_;
+  TracingLimits limits_;
+  std::vector<double> across_; // scratch
+};
+
+} // namespace SurfaceScalars
