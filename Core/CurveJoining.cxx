@@ -36,18 +36,18 @@ struct Pair
   std::size_t b;
 };
 
-std::vector<End> freeEnds(const std::vector<TracedCurve>& curves)
+std::vector<End> lostEnds(const std::vector<TracedCurve>& curves)
 {
   std::vector<End> ends;
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     const TracedCurve& curve = curves[i];
-    if (!curve.closed && !curve.startsAtSaddle)
+    if (!curve.closed && curve.start == CurveEnd::Lost)
     {
       ends.push_back(
         { i, false, curve.points.front().position, -curve.tangents.front(), curve.steps.front() });
     }
-    if (!curve.closed && !curve.endsAtSaddle)
+    if (!curve.closed && curve.end == CurveEnd::Lost)
     {
       ends.push_back(
         { i, true, curve.points.back().position, curve.tangents.back(), curve.steps.back() });
@@ -105,7 +105,7 @@ void reverse(TracedCurve& curve)
   std::reverse(curve.points.begin(), curve.points.end());
   std::reverse(curve.tangents.begin(), curve.tangents.end());
   std::reverse(curve.steps.begin(), curve.steps.end());
-  std::swap(curve.startsAtSaddle, curve.endsAtSaddle);
+  std::swap(curve.start, curve.end);
   for (LevelSetPoint& point : curve.points)
   {
     point.normal = -point.normal;
@@ -152,7 +152,7 @@ bool append(TracedCurve& curve, const TracedCurve& tail)
   curve.points.insert(curve.points.end(), tail.points.begin(), tail.points.end());
   curve.tangents.insert(curve.tangents.end(), tail.tangents.begin(), tail.tangents.end());
   curve.steps.insert(curve.steps.end(), tail.steps.begin(), tail.steps.end());
-  curve.endsAtSaddle = tail.endsAtSaddle;
+  curve.end = tail.end;
   return true;
 }
 
@@ -198,7 +198,7 @@ std::vector<TracedCurve> joinEnds(std::vector<TracedCurve> curves)
   {
     joined = false;
     std::vector<bool> changed(curves.size(), false);
-    const std::vector<End> ends = freeEnds(curves);
+    const std::vector<End> ends = lostEnds(curves);
     for (const Pair& pair : fittingPairs(curves, ends))
     {
       const End& a = ends[pair.a];

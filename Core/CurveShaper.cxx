@@ -197,8 +197,6 @@ TracedCurve CurveShaper::operator()(const TracedCurve& curve) const
   const SmoothCurve smooth(curve, this->shape_.fit);
   TracedCurve shaped;
   shaped.closed = curve.closed;
-  shaped.startsAtSaddle = curve.startsAtSaddle;
-  shaped.endsAtSaddle = curve.endsAtSaddle;
   const std::vector<double> places = smooth.places(this->shape_.spacing);
   for (std::size_t i = 0; i < places.size(); ++i)
   {

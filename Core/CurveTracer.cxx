@@ -23,6 +23,8 @@ constexpr std::size_t WindingCheck =
 constexpr double OnCurveDistance = 0.75;
 constexpr double DoubledLength =
   1.5; // along another curve, closer than OnCurveDistance: it is that one
+constexpr std::size_t StationsBefore =
+  6; // an edge, where the sampling step is not yet under its influence
 constexpr double EndPrecision = 0.1;
 constexpr double ShortestCurve = 1.0;
 
@@ -43,13 +45,12 @@ public:
   TracedCurve trace(const Station& start);
 
 private:
-  enum class End
-  {
-    Open,
-    Closed
-  };
+  /// Why it ends, or none if it closed.
+  using Ending = std::optional<CurveEnd>;
 
-  End extend(std::vector<Station>& path, bool mayClose);
+  Ending extend(std::vector<Station>& path, bool mayClose);
+  CurveEnd endAtEdge(std::vector<Station>& path);
+  double stepBefore(const std::vector<Station>& path, std::size_t edge) const;
 
   LevelSetWalker& walker_;
   TracingLimits limits_;
@@ -119,14 +120,12 @@ bool closeWinding(std::vector<Station>& path)
 TracedCurve joinWays(const std::vector<Station>& forward, const std::vector<Station>& backward)
 {
   TracedCurve curve;
-  curve.startsAtSaddle = backward.back().isSaddle;
-  curve.endsAtSaddle = forward.back().isSaddle;
   for (auto station = backward.rbegin(); station + 1 < backward.rend(); ++station)
   {
     curve.points.push_back(station->point);
     curve.points.back().normal =
       -station->point.normal; // it was kept on the other side of the direction
-    curve.tangents.push_back(-station->direction);
+    curve.tangents.emplace_back(-station->direction);
     curve.steps.push_back(station->step);
   }
   for (const Station& station : forward)
@@ -141,13 +140,12 @@ TracedCurve joinWays(const std::vector<Station>& forward, const std::vector<Stat
 TracedCurve loop(const std::vector<Station>& path)
 {
   TracedCurve curve = joinWays(path, { path.front() });
-  curve.startsAtSaddle = curve.endsAtSaddle = false;
   curve.closed = true;
   return curve;
 }
 
-/// Follows the direction of the last station. @returns whether the curve came back to the first
-Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
+/// Follows the direction of the last station. @returns none if the curve came back to the first
+Tracer::Ending Tracer::extend(std::vector<Station>& path, bool mayClose)
 {
   double step = FirstStep * path.back().step;
   double length = 0.0;
@@ -161,7 +159,7 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
     if (const std::optional<Station> saddle = this->walker_.saddleAhead(path.back()))
     {
       path.push_back(*saddle);
-      return End::Open;
+      return CurveEnd::Saddle;
     }
     const std::optional<Station> next = this->walker_.advance(path.back(), step);
     if (!next)
@@ -176,19 +174,20 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
     }
     gap = (path.back().supported ? path.back().nearest : gap) + chord;
     if ((!next->supported || !path.back().supported) &&
-      gap + next->nearest > this->limits_.linkDistance * this->walker_.samplingStep(*next))
+      gap + next->nearest > this->limits_.linkDistance * this->stepBefore(path, lastSupported))
     {
-      break;
+      path.resize(lastSupported, path.front());
+      return this->endAtEdge(path);
     }
     length += chord;
     if (mayClose && closes(path, *next, length))
     {
-      return End::Closed;
+      return {};
     }
     path.push_back(*next);
     if (path.size() % WindingCheck == 0 && closeWinding(path))
     {
-      return End::Closed;
+      return {};
     }
     lastSupported = next->supported ? path.size() : lastSupported;
     const bool onCurve =
@@ -202,19 +201,36 @@ Tracer::End Tracer::extend(std::vector<Station>& path, bool mayClose)
     }
   }
   path.resize(lastSupported, path.front());
-  return End::Open;
+  return CurveEnd::Lost;
+}
+
+/// The sampling step some way before an edge: at the edge itself samples seem farther apart.
+double Tracer::stepBefore(const std::vector<Station>& path, std::size_t edge) const
+{
+  return this->walker_.samplingStep(path[edge - std::min(edge, StationsBefore)]);
+}
+
+CurveEnd Tracer::endAtEdge(std::vector<Station>& path)
+{
+  if (const std::optional<Station> last = this->walker_.extension(path.back()))
+  {
+    path.push_back(*last);
+  }
+  return CurveEnd::Edge;
 }
 
 TracedCurve Tracer::trace(const Station& start)
 {
   std::vector<Station> forward{ start };
-  if (this->extend(forward, true) == End::Closed)
+  const Ending end = this->extend(forward, true);
+  if (!end)
   {
     return loop(forward);
   }
   std::vector<Station> backward{ start };
   backward.front().direction = -start.direction;
-  if (this->extend(backward, false) == End::Closed)
+  const Ending beginning = this->extend(backward, false);
+  if (!beginning)
   {
     TracedCurve curve = loop(backward);
     for (LevelSetPoint& point : curve.points)
@@ -224,8 +240,11 @@ TracedCurve Tracer::trace(const Station& start)
     return curve;
   }
   TracedCurve curve = joinWays(forward, backward);
+  curve.start = *beginning;
+  curve.end = *end;
   // Both ends at one saddle: a loop through it.
-  curve.closed = curve.startsAtSaddle && curve.endsAtSaddle && curve.points.size() > 3 &&
+  curve.closed = curve.start == CurveEnd::Saddle && curve.end == CurveEnd::Saddle &&
+    curve.points.size() > 3 &&
     (curve.points.front().position - curve.points.back().position).norm() <=
       10.0 * this->limits_.tolerance;
   if (curve.closed)

@@ -8,6 +8,14 @@
 namespace SurfaceScalars
 {
 
+/// Why an open curve ends where it does.
+enum class CurveEnd
+{
+  Lost,  ///< noise: no step onwards was good
+  Edge,  ///< the samples end
+  Saddle ///< of the level's value
+};
+
 /// A curve as traced: the points carry their tangents, which point onwards.
 struct TracedCurve
 {
@@ -15,8 +23,8 @@ struct TracedCurve
   std::vector<Vector3d> tangents;
   std::vector<double> steps; ///< widened sampling steps
   bool closed = false;
-  bool startsAtSaddle = false;
-  bool endsAtSaddle = false;
+  CurveEnd start = CurveEnd::Lost;
+  CurveEnd end = CurveEnd::Lost;
 };
 
 /// The lengths a tracer works with, in sampling steps of the place unless said otherwise.

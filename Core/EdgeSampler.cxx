@@ -94,7 +94,7 @@ std::optional<LevelSetPoint> EdgeSampler::sample(const EdgeCrossing& crossing, d
   else
   {
     const double step = this->function_.graph.samplingStep(crossing.from) * this->limits_.widening;
-    const std::optional<LevelSetPoint> point = project(*this->model_, level, linear,
+    std::optional<LevelSetPoint> point = project(*this->model_, level, linear,
       { this->limits_.tolerance, 3.0 * step, this->limits_.maximumIterations });
     if (point)
     {

@@ -16,10 +16,21 @@ constexpr double WantedTurn =
 constexpr double LargestTurn = 0.7;
 constexpr double LargestResidual = 0.2; // of a point that did not converge: noise moves the model
 constexpr double LargestJump = 0.1;     // of the model from one place to the next
-constexpr double Overhang = 0.5;        // beyond the outermost samples, in steps not widened
+constexpr double Overhang = 0.3;        // beyond the outermost samples, in steps not widened
+constexpr double Extension = 0.8;   // from there to the end: the surface goes on about half a step
+constexpr double CarefulStep = 0.5; // where samples are far: a hole must not be stepped over
+constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbours
 constexpr double OutlierFraction = 0.02;
 constexpr double SaddleDistance = 2.5;    // more than a step: it must not be stepped over
 constexpr double CriticalFraction = 1e-6; // of f's range, between a level and a saddle's value
+
+double quantile(std::vector<double>& values, double fraction)
+{
+  const auto element =
+    values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), element, values.end());
+  return *element;
+}
 
 } // namespace
 
@@ -32,16 +43,16 @@ LevelSetWalker::LevelSetWalker(
 {
 }
 
-/// Widened sampling step where the model is.
-double LevelSetWalker::stepAround() const
+/// Widened sampling step where the model is: a low quantile, because at the edge of a surface
+/// samples have fewer neighbours, and seem farther apart, than they are.
+double LevelSetWalker::stepAround()
 {
-  const Neighborhood& around = this->model_.neighborhood();
-  double sum = 0.0;
-  for (const Index i : around.indices)
+  this->scratch_.clear();
+  for (const Index i : this->model_.neighborhood().indices)
   {
-    sum += this->function_.graph.samplingStep(i);
+    this->scratch_.push_back(this->function_.graph.samplingStep(i));
   }
-  return sum / static_cast<double>(around.indices.size()) * this->limits_.widening;
+  return QuantileToMean * quantile(this->scratch_, 0.25) * this->limits_.widening;
 }
 
 /// Whether a station is among samples: not deep in a void and not beyond the last samples of the
@@ -64,17 +75,15 @@ void LevelSetWalker::measureSupport(Station& station)
   // the surface.
   const Vector3d& normal = station.point.normal;
   const Vector3d inwards = (mean - normal * normal.dot(mean)).normalized();
-  this->across_.clear();
+  this->scratch_.clear();
   for (const Index i : around.indices)
   {
-    this->across_.push_back(inwards.dot(offsetOf(i)));
+    this->scratch_.push_back(inwards.dot(offsetOf(i)));
   }
-  const auto edge = this->across_.begin() +
-    static_cast<std::ptrdiff_t>(OutlierFraction * static_cast<double>(this->across_.size()));
-  std::nth_element(this->across_.begin(), edge, this->across_.end());
+  const double beyond = quantile(this->scratch_, OutlierFraction);
   const double step = this->samplingStep(station);
   station.supported =
-    station.nearest <= this->limits_.voidRadius * step && *edge <= Overhang * step;
+    station.nearest <= this->limits_.voidRadius * step && beyond <= Overhang * step;
 }
 
 std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
@@ -106,7 +115,8 @@ std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
 
 std::optional<Station> LevelSetWalker::advance(const Station& from, double& step)
 {
-  step = std::min(step, LongestStep * from.step);
+  const bool careful = from.nearest > 0.5 * this->limits_.voidRadius * this->samplingStep(from);
+  step = std::min(step, (careful ? CarefulStep : LongestStep) * from.step);
   // Shortened until it is good; each failure has moved the model.
   for (; step >= ShortestStep * from.step && this->model_.centre(from.point.position); step *= 0.5)
   {
@@ -157,7 +167,6 @@ std::optional<Station> LevelSetWalker::saddleAhead(const Station& station)
   end.point.residual =
     std::abs(this->model_.distance); // F is critical: only g has a first-order distance
   end.point.converged = true;
-  end.isSaddle = true;
   const Vector3d normal = this->model_.normal();
   end.point.normal = normal.dot(station.point.normal) < 0.0 ? Vector3d(-normal) : normal;
   return end;
@@ -176,6 +185,16 @@ std::optional<Station> LevelSetWalker::start(const LevelSetPoint& seed)
   Station station{ *point, this->model_.tangent(), this->stepAround() };
   this->measureSupport(station);
   return station.supported ? std::optional<Station>(station) : std::nullopt;
+}
+
+std::optional<Station> LevelSetWalker::extension(const Station& end)
+{
+  std::optional<Station> last;
+  if (this->model_.centre(end.point.position))
+  {
+    last = this->tryStep(end, Extension * this->samplingStep(end));
+  }
+  return last;
 }
 
 } // namespace SurfaceScalars

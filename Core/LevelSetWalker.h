@@ -13,9 +13,8 @@ struct Station
 {
   LevelSetPoint point;
   Vector3d direction;
-  double step;          ///< widened sampling step of the place
-  double nearest = 0.0; ///< distance to the nearest sample
-  bool isSaddle = false;
+  double step;           ///< widened sampling step of the place
+  double nearest = 0.0;  ///< distance to the nearest sample
   bool supported = true; ///< samples around it: it lies on the sampled surface
 };
 
@@ -33,6 +32,10 @@ public:
   /// to try next.
   std::optional<Station> advance(const Station& from, double& step);
 
+  /// The end of a curve that leaves the samples at a station: the surface goes on a little beyond
+  /// its last samples.
+  std::optional<Station> extension(const Station& end);
+
   /// A saddle of the level's value in front of a station, closer than the longest step: the end of
   /// the curve.
   std::optional<Station> saddleAhead(const Station& station);
@@ -44,7 +47,7 @@ public:
   }
 
 private:
-  double stepAround() const;
+  double stepAround();
   std::optional<Station> tryStep(const Station& from, double step);
   void measureSupport(Station& station);
 
@@ -52,7 +55,7 @@ private:
   const SampledFunction& function_;
   double level_;
   TracingLimits limits_;
-  std::vector<double> across_; // scratch
+  std::vector<double> scratch_;
 };
 
 } // namespace SurfaceScalars

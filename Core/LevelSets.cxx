@@ -42,7 +42,7 @@ class LevelSetTracing
 public:
   LevelSetTracing(const NeighborGraph& graph, const ValuesRef& values, const Scaling& scaling,
     const ContourParameters& parameters, const Execution& execution);
-  LevelSets run(std::vector<double> isoValues);
+  LevelSets run(std::vector<double> levels);
 
 private:
   void scaleVolumeFunction(const Scaling& scaling);
@@ -136,6 +136,7 @@ void LevelSetTracing::sampleLevels(const std::vector<LevelCrossings>& crossings)
 {
   // One list of all the crossings, so that one level keeps all threads busy too.
   std::vector<std::size_t> ends;
+  ends.reserve(crossings.size());
   std::size_t count = 0;
   for (const LevelCrossings& ofLevel : crossings)
   {

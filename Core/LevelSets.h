@@ -67,17 +67,17 @@ struct LevelSetPoint
 /// left, seen against the normals.
 struct LevelSetCurve
 {
-  std::size_t level; ///< index into LevelSets::isoValues
-  int component;     ///< 0, 1, ... within the level
-  bool closed;       ///< the last point is joined to the first, which is not repeated
-  double length;
+  std::size_t level = 0; ///< index into LevelSets::isoValues
+  int component = 0;     ///< 0, 1, ... within the level
+  bool closed = false;   ///< the last point is joined to the first, which is not repeated
+  double length = 0.0;
   std::vector<LevelSetPoint> points;
 };
 
 /// One sample of a level set: where it meets an edge of the neighbour graph, projected (sec. 4.1).
 struct LevelSetSample
 {
-  std::size_t level;
+  std::size_t level = 0;
   LevelSetPoint point;
 };
 

@@ -21,7 +21,7 @@ inline bool isOutwards(const LevelSetPoint& point)
   {
     return outwards > 0.0;
   }
-  Eigen::Index largest;
+  Eigen::Index largest = 0;
   point.normal.cwiseAbs().maxCoeff(&largest);
   return point.normal[largest] > 0.0;
 }

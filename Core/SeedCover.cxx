@@ -55,11 +55,11 @@ void SeedCover::pass(const TracedCurve& curve)
     const Vector3d along = direction * PassedBeyondEnd * step * curve.tangents[end];
     this->passAlong({ position, position + along }, step, PastEnd);
   };
-  if (!curve.closed && !curve.startsAtSaddle)
+  if (!curve.closed && curve.start != CurveEnd::Saddle)
   {
     passBeyond(0, -1.0);
   }
-  if (!curve.closed && !curve.endsAtSaddle)
+  if (!curve.closed && curve.end != CurveEnd::Saddle)
   {
     passBeyond(count - 1, 1.0);
   }

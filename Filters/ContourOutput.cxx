@@ -139,7 +139,7 @@ std::string isoValueName(const FilterRun& run, const std::string& valueName)
   {
     return valueName;
   }
-  const std::string free = valueName + "Input";
+  std::string free = valueName + "Input";
   run.warn("The outputs have an array '" + valueName +
     "' of their own; the iso-values of the input's '" + valueName + "' are in '" + free + "'.");
   return free;

@@ -49,7 +49,7 @@ std::string textOf(const Vector3d& vector)
 
 Vector3d place(const std::string& property, const double* numbers)
 {
-  const Vector3d position(numbers);
+  Vector3d position(numbers);
   if (!position.allFinite())
   {
     throw InvalidInput("a finite " + property, textOf(position), "Correct it.");
@@ -60,7 +60,7 @@ Vector3d place(const std::string& property, const double* numbers)
 Vector3d unitVector(const std::string& property, const double* numbers)
 {
   const Vector3d vector(numbers);
-  const Vector3d unit = vector.stableNormalized(); // tiny and huge ones too
+  Vector3d unit = vector.stableNormalized(); // tiny and huge ones too
   if (!unit.allFinite() || std::abs(unit.squaredNorm() - 1.0) > 1e-6)
   {
     throw InvalidInput("a finite " + property + " other than the zero vector", textOf(vector),

@@ -256,7 +256,7 @@ TEST(ContourInput, acceptsCoplanarPoints)
   const auto f = [turn](const Vector3d& p) { return (turn.transpose() * p).x(); };
   const std::vector<Curve> curves = contour(makeCloud(Points(turn * points), f), 0.1);
   ASSERT_THAT(curves, ::testing::SizeIs(1));
-  EXPECT_NEAR(curves.front().length, 2.0, 0.1);
+  EXPECT_NEAR(curves.front().length, 2.0, 0.15); // two steps at either end
 }
 
 // Regular sampling is full of ties and coplanar neighbourhoods.
@@ -265,7 +265,7 @@ TEST(ContourInput, acceptsARegularGrid)
   const std::vector<Curve> curves = contour(makeCloud(Truth::squareGrid(60, 1.0), x), 20.5);
   ASSERT_THAT(curves, ::testing::SizeIs(1));
   EXPECT_FALSE(curves.front().closed);
-  EXPECT_NEAR(curves.front().length, 59.0, 2.5); // a step at either end
+  EXPECT_NEAR(curves.front().length, 59.0, 3.0); // a step and a half at either end
 }
 
 // An array with a name that the outputs need is written under another.
