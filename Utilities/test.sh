@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 to the result of all tests: installs, builds with warnings as errors, checks the format, tests.
+# From a bare Debian 12 to the result of all tests: installs, builds with warnings as errors, checks format and
+# clang-tidy, tests.
 # The tests themselves include the build without ParaView and a project that uses the installed package.
 #
 # Tests with the label `long` take much longer and are left out: ctest --preset release -L long
@@ -23,5 +24,6 @@ cmake --preset release -B "$build" \
 cmake --build "$build" --parallel "$jobs"
 
 Utilities/check-format.sh
+Utilities/check-tidy.sh "$build"
 
 exec ctest --test-dir "$build" --output-on-failure --label-exclude long --parallel "$jobs" "$@"
