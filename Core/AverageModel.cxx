@@ -22,7 +22,7 @@ public:
   {
   }
 
-  bool centre(const Vector3d& place) override;
+  bool center(const Vector3d& place) override;
   std::optional<Vector3d> solve(double level, const Vector3d& start) const override;
 
 private:
@@ -50,7 +50,7 @@ void AverageModel::gather(const Vector3d& place)
   this->function_.graph.within(place, Support * this->width_, this->neighborhood_);
 }
 
-bool AverageModel::centre(const Vector3d& place)
+bool AverageModel::center(const Vector3d& place)
 {
   if (!place.allFinite())
   {
@@ -136,7 +136,7 @@ bool AverageModel::evaluateSurface(
 
 std::optional<Vector3d> AverageModel::solve(double level, const Vector3d& start) const
 {
-  // One Gauss-Newton step: the model is only known to first order away from its centre.
+  // One Gauss-Newton step: the model is only known to first order away from its center.
   const Vector3d predicted = start - this->place_;
   Eigen::Matrix<double, 2, 3> jacobian;
   jacobian << this->valueGradient.transpose(), this->distanceGradient.transpose();

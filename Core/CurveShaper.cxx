@@ -174,7 +174,7 @@ LevelSetPoint CurveShaper::measure(
     point->position = place;
     point->converged = !project;
     const double residual =
-      this->model_.centre(place) ? this->model_.firstOrderStep(this->level_).norm() : INFINITY;
+      this->model_.center(place) ? this->model_.firstOrderStep(this->level_).norm() : INFINITY;
     if (std::isfinite(residual))
     {
       point->residual = residual;

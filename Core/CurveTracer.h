@@ -32,8 +32,8 @@ struct TracingLimits
 {
   double tolerance;      ///< of the projection, length
   int maximumIterations; ///< of the projection
-  double widening; ///< of the step along curves: sqrt of the neighbourhood's size to the usual one
-  double voidRadius;   ///< no sample within: a hole, not a gap of random sampling
+  double widening;   ///< of the step along curves: sqrt of the neighborhood's size to the usual one
+  double voidRadius; ///< no sample within: a hole, not a gap of random sampling
   double linkDistance; ///< widest hole that a curve runs on across
 };
 

@@ -85,7 +85,7 @@ private:
     {
       // The ends lie on different sides, so they differ; rounding may still leave [0, 1].
       const double parameter = std::clamp((this->levels_[level] - here) / (there - here), 0.0, 1.0);
-      // The other half belongs to the neighbour, if it knows of this edge.
+      // The other half belongs to the neighbor, if it knows of this edge.
       if (parameter <= 0.5 || !this->function_.graph.isEdge(neighbor, point))
       {
         this->keepClosest({ { level, { point, neighbor, parameter } }, parameter * length });
@@ -119,7 +119,7 @@ private:
 
 LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& graph, double spacing)
 {
-  // The k-th neighbour is about sqrt(k / pi) steps away; farther points are reached in hops.
+  // The k-th neighbor is about sqrt(k / pi) steps away; farther points are reached in hops.
   const double hopLength = 2.0;
   const int hops = std::max(1, static_cast<int>(std::lround(spacing / hopLength)));
   const auto neighbors =

@@ -7,7 +7,7 @@
 namespace SurfaceScalars
 {
 
-/// Where a level meets an edge of the neighbour graph, f taken as linear along it (sec. 4.1).
+/// Where a level meets an edge of the neighbor graph, f taken as linear along it (sec. 4.1).
 struct EdgeCrossing
 {
   Index from;
@@ -20,7 +20,7 @@ struct EdgeCrossing
 using LevelCrossings = std::vector<EdgeCrossing>;
 
 /**
- * Where ascending levels meet the edges from each point to its closest neighbours. Each point is
+ * Where ascending levels meet the edges from each point to its closest neighbors. Each point is
  * ranked among the levels once; an edge meets the levels between the ranks of its ends. f < level
  * is below, f >= level is above.
  */
@@ -28,7 +28,7 @@ std::vector<LevelCrossings> findCrossings(
   const SampledFunction& function, const std::vector<double>& levels, const Execution& execution);
 
 /// Keeps crossings that lie about `spacing` sampling steps of the place (at least one) apart: of
-/// those of neighbouring points, one.
+/// those of neighboring points, one.
 LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& graph, double spacing);
 
 } // namespace SurfaceScalars

@@ -37,7 +37,7 @@ double EdgeSampler::solveAlongEdge(
   for (int i = 0; i < this->limits_.maximumIterations; ++i)
   {
     const double slope =
-      this->model_->centre(from + t * along) ? this->model_->valueGradient.dot(along) : 0.0;
+      this->model_->center(from + t * along) ? this->model_->valueGradient.dot(along) : 0.0;
     const double next = std::clamp(t + (level - this->model_->value) / slope, 0.0, 1.0);
     if (!std::isfinite(next))
     {
@@ -56,7 +56,7 @@ double EdgeSampler::solveAlongEdge(
 /// Along the normal onto g = 0.
 std::optional<Vector3d> EdgeSampler::projectOnSurface(Vector3d place)
 {
-  for (int i = 0; i < this->limits_.maximumIterations && this->model_->centre(place); ++i)
+  for (int i = 0; i < this->limits_.maximumIterations && this->model_->center(place); ++i)
   {
     const Vector3d& gradient = this->model_->distanceGradient;
     const Vector3d step = -this->model_->distance / gradient.squaredNorm() * gradient;
@@ -105,7 +105,7 @@ std::optional<LevelSetPoint> EdgeSampler::sample(const EdgeCrossing& crossing, d
   LevelSetPoint point;
   point.position = place.value_or(linear);
   point.converged = place.has_value();
-  if (!this->model_->centre(point.position))
+  if (!this->model_->center(point.position))
   {
     return {};
   }

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double FlatFraction =
-  1e-9; // of f's range over a neighbourhood: what varies less is a plateau with rounding errors
+  1e-9; // of f's range over a neighborhood: what varies less is a plateau with rounding errors
 
 } // namespace
 

@@ -27,8 +27,8 @@ struct Saddle
 
 /**
  * F and g of the point-set paper around one place, with what projection and tracing need of them.
- * centre() builds the model of a place from the samples around it; the other functions ask that
- * model and are valid after centre() returned true.
+ * center() builds the model of a place from the samples around it; the other functions ask that
+ * model and are valid after center() returned true.
  *
  * Not for several threads at once: it holds the samples it works on.
  */
@@ -37,21 +37,21 @@ class LevelSetModel
 public:
   virtual ~LevelSetModel();
 
-  virtual bool centre(const Vector3d& place) = 0;
+  virtual bool center(const Vector3d& place) = 0;
 
   /// The place where F = level and g = 0 in the model as it is, found from `start`; none if there
   /// is none nearby.
   virtual std::optional<Vector3d> solve(double level, const Vector3d& start) const = 0;
 
-  /// A saddle close to the centre, if the model has one. Only the polynomial model looks for it.
+  /// A saddle close to the center, if the model has one. Only the polynomial model looks for it.
   virtual std::optional<Saddle> nearbySaddle() const { return {}; }
 
-  // At the centre:
+  // At the center:
   double value = 0.0;        ///< F
   Vector3d valueGradient;    ///< of F, in space
   double distance = 0.0;     ///< g
   Vector3d distanceGradient; ///< of g
-  double reach = 0.0;        ///< radius of the neighbourhood, length
+  double reach = 0.0;        ///< radius of the neighborhood, length
 
   Vector3d normal() const { return this->distanceGradient.normalized(); }
   /// Along the level set, unit; larger values to the left, seen against normal(). Zero where F is

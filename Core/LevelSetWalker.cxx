@@ -19,7 +19,7 @@ constexpr double LargestJump = 0.1;     // of the model from one place to the ne
 constexpr double Overhang = 0.3;        // beyond the outermost samples, in steps not widened
 constexpr double Extension = 0.8;   // from there to the end: the surface goes on about half a step
 constexpr double CarefulStep = 0.5; // where samples are far: a hole must not be stepped over
-constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbours
+constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbors
 constexpr double OutlierFraction = 0.02;
 constexpr double SaddleDistance = 2.5;    // more than a step: it must not be stepped over
 constexpr double CriticalFraction = 1e-6; // of f's range, between a level and a saddle's value
@@ -44,7 +44,7 @@ LevelSetWalker::LevelSetWalker(
 }
 
 /// Widened sampling step where the model is: a low quantile, because at the edge of a surface
-/// samples have fewer neighbours, and seem farther apart, than they are.
+/// samples have fewer neighbors, and seem farther apart, than they are.
 double LevelSetWalker::stepAround()
 {
   this->scratch_.clear();
@@ -118,7 +118,7 @@ std::optional<Station> LevelSetWalker::advance(const Station& from, double& step
   const bool careful = from.nearest > 0.5 * this->limits_.voidRadius * this->samplingStep(from);
   step = std::min(step, (careful ? CarefulStep : LongestStep) * from.step);
   // Shortened until it is good; each failure has moved the model.
-  for (; step >= ShortestStep * from.step && this->model_.centre(from.point.position); step *= 0.5)
+  for (; step >= ShortestStep * from.step && this->model_.center(from.point.position); step *= 0.5)
   {
     if (std::optional<Station> next = this->tryStep(from, step))
     {
@@ -142,11 +142,11 @@ std::optional<Station> LevelSetWalker::saddleAhead(const Station& station)
   {
     return {};
   }
-  // The model's saddle moves as the model is centred at it.
+  // The model's saddle moves as the model is centered at it.
   for (int i = 0; i < this->limits_.maximumIterations; ++i)
   {
     const Vector3d last = saddle->position;
-    if (!this->model_.centre(last) || !(saddle = this->model_.nearbySaddle()) ||
+    if (!this->model_.center(last) || !(saddle = this->model_.nearbySaddle()) ||
       !within(*saddle, SaddleDistance))
     {
       return {};
@@ -190,7 +190,7 @@ std::optional<Station> LevelSetWalker::start(const LevelSetPoint& seed)
 std::optional<Station> LevelSetWalker::extension(const Station& end)
 {
   std::optional<Station> last;
-  if (this->model_.centre(end.point.position))
+  if (this->model_.center(end.point.position))
   {
     last = this->tryStep(end, Extension * this->samplingStep(end));
   }

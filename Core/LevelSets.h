@@ -14,7 +14,7 @@ namespace SurfaceScalars
 /// How f is extended off its samples; the numbers are those of the public interface.
 enum class Scheme
 {
-  Linear = 0,          ///< linear along the edges of the neighbour graph
+  Linear = 0,          ///< linear along the edges of the neighbor graph
   ExplicitMLS = 1,     ///< weighted average, (6)
   ParameterizedMLS = 2 ///< polynomial over the tangent plane, (4)(5)
 };
@@ -23,7 +23,7 @@ enum class Scheme
 enum class SurfaceModel
 {
   MLS = 0,        ///< the moving least-squares surface
-  Unprojected = 2 ///< nothing: they stay on the edges of the neighbour graph
+  Unprojected = 2 ///< nothing: they stay on the edges of the neighbor graph
 };
 
 enum class CurveFit
@@ -74,7 +74,7 @@ struct LevelSetCurve
   std::vector<LevelSetPoint> points;
 };
 
-/// One sample of a level set: where it meets an edge of the neighbour graph, projected (sec. 4.1).
+/// One sample of a level set: where it meets an edge of the neighbor graph, projected (sec. 4.1).
 struct LevelSetSample
 {
   std::size_t level = 0;
@@ -91,7 +91,7 @@ struct LevelSets
 };
 
 /**
- * The level sets of a function known at the points of a neighbour graph, as ordered curves
+ * The level sets of a function known at the points of a neighbor graph, as ordered curves
  * (point-set paper, sec. 4).
  *
  * Edges whose ends lie on different sides of an iso-value give samples, which are projected onto {F

@@ -38,7 +38,7 @@ inline void monomials(int degree, double x, double y, double* terms)
 }
 
 /// Tangent axes and normal of weighted points, as columns.
-Eigen::Matrix3d tangentFrame(const Vector3d& centre, const WeightedSamples& samples)
+Eigen::Matrix3d tangentFrame(const Vector3d& center, const WeightedSamples& samples)
 {
   double weight = 0.0;
   Vector3d mean = Vector3d::Zero();
@@ -46,7 +46,7 @@ Eigen::Matrix3d tangentFrame(const Vector3d& centre, const WeightedSamples& samp
   for (Eigen::Index i = 0; i < samples.weights.size(); ++i)
   {
     const double w = samples.weights[i];
-    const Vector3d offset = samples.points.col(i) - centre;
+    const Vector3d offset = samples.points.col(i) - center;
     weight += w;
     mean += w * offset;
     moments.noalias() += (w * offset) * offset.transpose();
@@ -66,12 +66,12 @@ Eigen::Matrix3d tangentFrame(const Vector3d& centre, const WeightedSamples& samp
 } // namespace
 
 bool LocalFit::compute(
-  const Vector3d& centre, const WeightedSamples& samples, double radius, int degree)
+  const Vector3d& center, const WeightedSamples& samples, double radius, int degree)
 {
-  this->centre_ = centre;
+  this->center_ = center;
   this->scale_ = radius;
   this->degree_ = degree;
-  this->frame_ = tangentFrame(centre, samples);
+  this->frame_ = tangentFrame(center, samples);
   if (!this->frame_.allFinite())
   {
     return false;
@@ -106,7 +106,7 @@ bool LocalFit::solve(const WeightedSamples& samples)
       continue;
     }
     ++used;
-    const Vector3d local = toLocal * (samples.points.col(i) - this->centre_);
+    const Vector3d local = toLocal * (samples.points.col(i) - this->center_);
     monomials(Degree, local.x(), local.y(), terms.data());
     const Eigen::Matrix<double, Terms, 1> weighted = weight * terms;
     normalMatrix.noalias() += weighted * terms.transpose();
@@ -184,12 +184,12 @@ LocalFit::Slope LocalFit::slope(int which, const Vector2d& uv) const
 
 Vector3d LocalFit::lift(const Vector2d& uv) const
 {
-  return this->centre_ + this->frame_ * Vector3d(uv.x(), uv.y(), this->heightSlope(uv).value);
+  return this->center_ + this->frame_ * Vector3d(uv.x(), uv.y(), this->heightSlope(uv).value);
 }
 
 Vector2d LocalFit::flatten(const Vector3d& p) const
 {
-  return (this->frame_.transpose() * (p - this->centre_)).head<2>();
+  return (this->frame_.transpose() * (p - this->center_)).head<2>();
 }
 
 Vector3d LocalFit::normal(const Vector2d& uv) const
@@ -217,7 +217,7 @@ double LocalFit::deviation(int which, const WeightedSamples& samples) const
   for (Eigen::Index i = 0; i < samples.weights.size(); ++i)
   {
     const double w = samples.weights[i];
-    const Vector3d local = this->frame_.transpose() * (samples.points.col(i) - this->centre_);
+    const Vector3d local = this->frame_.transpose() * (samples.points.col(i) - this->center_);
     monomials(this->degree_, local.x() / this->scale_, local.y() / this->scale_, terms);
     double fitted = 0.0;
     for (int term = 0; term < termCount(this->degree_); ++term)

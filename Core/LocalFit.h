@@ -19,7 +19,7 @@ struct WeightedSamples
  * moving least-squares fit (point-set paper, (4) and (5)), made for the height of the surface and
  * for f with the same matrix.
  *
- * The frame is centred at the place; its normal is the eigenvector of the smallest eigenvalue of
+ * The frame is centered at the place; its normal is the eigenvector of the smallest eigenvalue of
  * the weighted covariance. Heights and coordinates (u, v) are in length units along the unit axes
  * of the frame; the normal's sign is arbitrary.
  */
@@ -45,14 +45,14 @@ public:
   };
 
   /**
-   * @param radius length that coordinates are scaled by inside: that of the neighbourhood
+   * @param radius length that coordinates are scaled by inside: that of the neighborhood
    * @param degree 1 to 4
    * @returns whether the samples determine polynomials of this degree: false where they lie
    * (nearly) on a line or are too few
    */
-  bool compute(const Vector3d& centre, const WeightedSamples& samples, double radius, int degree);
+  bool compute(const Vector3d& center, const WeightedSamples& samples, double radius, int degree);
 
-  const Vector3d& centre() const { return this->centre_; }
+  const Vector3d& center() const { return this->center_; }
   const Eigen::Matrix3d& frame() const
   {
     return this->frame_;
@@ -87,7 +87,7 @@ private:
   template <int Degree>
   bool solve(const WeightedSamples& samples);
 
-  Vector3d centre_ = Vector3d::Zero();
+  Vector3d center_ = Vector3d::Zero();
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   double scale_ = 1.0;
   int degree_ = 0;

@@ -24,7 +24,7 @@ struct SortedPoints
   std::vector<Index> inputOfPoint;
 };
 
-Vector3d boxCentre(const PointsRef& points)
+Vector3d boxCenter(const PointsRef& points)
 {
   const Vector3d low = points.rowwise().minCoeff();
   return low + 0.5 * (points.rowwise().maxCoeff() - low);
@@ -33,21 +33,21 @@ Vector3d boxCentre(const PointsRef& points)
 SortedPoints sortPoints(const PointsRef& input, const Execution& execution)
 {
   SortedPoints sorted;
-  sorted.origin = boxCentre(input);
-  // Centred before all else: what becomes equal by that is a duplicate too.
-  const Points centred = input.colwise() - sorted.origin;
+  sorted.origin = boxCenter(input);
+  // Centered before all else: what becomes equal by that is a duplicate too.
+  const Points centered = input.colwise() - sorted.origin;
   const auto count = static_cast<std::size_t>(input.cols());
-  const std::vector<Index> order = mortonOrder(centred, execution);
+  const std::vector<Index> order = mortonOrder(centered, execution);
   sorted.pointOfInput.resize(count);
   sorted.inputOfPoint.reserve(count);
   sorted.points.resize(3, input.cols());
   for (std::size_t i = 0; i < count; ++i)
   {
-    const bool duplicate = i > 0 && centred.col(order[i]) == centred.col(order[i - 1]);
+    const bool duplicate = i > 0 && centered.col(order[i]) == centered.col(order[i - 1]);
     if (!duplicate)
     {
       sorted.points.col(static_cast<Eigen::Index>(sorted.inputOfPoint.size())) =
-        centred.col(order[i]);
+        centered.col(order[i]);
       sorted.inputOfPoint.push_back(order[i]);
     }
     sorted.pointOfInput[order[i]] = static_cast<Index>(sorted.inputOfPoint.size() - 1);
@@ -65,9 +65,9 @@ struct NeighborGraph::Implementation
 {
   SortedPoints sorted;
   NeighborQuery query;
-  std::size_t count; ///< neighbours of each point if query.radius is 0
+  std::size_t count; ///< neighbors of each point if query.radius is 0
   PointTree tree;
-  std::vector<std::size_t> offsets; ///< CSR row starts; empty if every point has `count` neighbours
+  std::vector<std::size_t> offsets; ///< CSR row starts; empty if every point has `count` neighbors
   std::vector<Index> indices;
   std::vector<double> steps; ///< sampling steps
   double medianStep = 0.0;

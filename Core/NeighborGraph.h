@@ -10,7 +10,7 @@
 namespace SurfaceScalars
 {
 
-/// Which samples count as neighbours.
+/// Which samples count as neighbors.
 struct NeighborQuery
 {
   int count = 16;      ///< k, the point itself not counted
@@ -24,7 +24,7 @@ struct Neighborhood
   std::vector<double> squaredDistances;
 };
 
-/// The stored neighbours of a point: a view into the graph, nearest first.
+/// The stored neighbors of a point: a view into the graph, nearest first.
 struct Neighbors
 {
   const Index* first;
@@ -35,14 +35,14 @@ struct Neighbors
 };
 
 /**
- * The neighbour graph T of a point set: the domain on which every point-set algorithm works
+ * The neighbor graph T of a point set: the domain on which every point-set algorithm works
  * (point-set paper, sec. 2.1).
  *
- * Points are centred, exact duplicates become one point, and the rest is sorted along a Morton
- * curve so that neighbours lie close in memory. Every index below is in that order; pointOfInput()
+ * Points are centered, exact duplicates become one point, and the rest is sorted along a Morton
+ * curve so that neighbors lie close in memory. Every index below is in that order; pointOfInput()
  * and inputOfPoint() lead there and back.
  *
- * An edge (i, j) exists if i is among the neighbours of j or j among those of i.
+ * An edge (i, j) exists if i is among the neighbors of j or j among those of i.
  *
  * Time O(n log n); memory 4 (k + 2) bytes per point beside the points and the search tree. Results
  * do not depend on the number of threads.
@@ -60,10 +60,10 @@ public:
 
   Index pointCount() const;       ///< distinct points
   const Points& points() const;   ///< relative to origin()
-  const Vector3d& origin() const; ///< centre of the input's bounding box
+  const Vector3d& origin() const; ///< center of the input's bounding box
 
   Neighbors neighbors(Index point) const;
-  bool isEdge(Index from, Index to) const; ///< whether `to` is stored as neighbour of `from`
+  bool isEdge(Index from, Index to) const; ///< whether `to` is stored as neighbor of `from`
 
   double samplingStep(Index point) const; ///< 1 / sqrt(density), density = k / (pi sigma_k^2)
   double medianSamplingStep() const;      ///< the paper's epsilon, as a length

@@ -12,11 +12,11 @@ namespace
 constexpr std::size_t Sites = 128;
 constexpr int LargestCount = 512;
 constexpr double NegligibleMisfit = 1e-3; // in sampling steps: nobody sees it
-constexpr double WidthToNoise = 3.0;      // of an admissible neighbourhood
+constexpr double WidthToNoise = 3.0;      // of an admissible neighborhood
 constexpr double VarianceShare =
-  8.0; // of the noise's variance in that of the fit's centre is this / k, for degree 2
+  8.0; // of the noise's variance in that of the fit's center is this / k, for degree 2
 constexpr double BiasShare =
-  0.1; // of the misfit in the bias at the centre, squared: odd terms cancel there
+  0.1; // of the misfit in the bias at the center, squared: odd terms cancel there
 
 /// What fits of one size leave over, medians over the sites. Lengths.
 struct Misfit
@@ -24,7 +24,7 @@ struct Misfit
   int count;
   double squaredDeviation; ///< of surface and level set
   double squaredHeightDeviation;
-  double squaredWidth; ///< of the neighbourhood
+  double squaredWidth; ///< of the neighborhood
 };
 
 double median(std::vector<double> values)
@@ -39,8 +39,8 @@ bool fitAt(const SampledFunction& function, Index point, int count, int degree, 
   WeightedSamples& samples, double& width)
 {
   Neighborhood near;
-  const Vector3d centre = function.graph.points().col(point);
-  function.graph.nearest(centre, count, near);
+  const Vector3d center = function.graph.points().col(point);
+  function.graph.nearest(center, count, near);
   const auto found = static_cast<Eigen::Index>(near.indices.size());
   samples.points.resize(3, found);
   samples.values = Values::Zero(found);
@@ -58,7 +58,7 @@ bool fitAt(const SampledFunction& function, Index point, int count, int degree, 
     }
   }
   width = std::sqrt(squaredWidth);
-  return fit.compute(centre, samples, width, degree);
+  return fit.compute(center, samples, width, degree);
 }
 
 Misfit measure(const SampledFunction& function, int count, int degree, const Execution& execution)

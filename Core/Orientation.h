@@ -10,8 +10,8 @@ namespace SurfaceScalars
 {
 
 /**
- * Whether the normal at a place (relative to the centre of the cloud) is turned the usual way: away
- * from the centre, or, where it is nearly at right angles to that, with its largest component
+ * Whether the normal at a place (relative to the center of the cloud) is turned the usual way: away
+ * from the center, or, where it is nearly at right angles to that, with its largest component
  * positive (terrain: upwards).
  */
 inline bool isOutwards(const LevelSetPoint& point)

@@ -10,13 +10,13 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double LargestStep = 0.3;   // of one Newton iteration, in neighbourhood radii
-constexpr double TrustedRadius = 1.0; // places farther from the centre are not the model's business
+constexpr double LargestStep = 0.3;   // of one Newton iteration, in neighborhood radii
+constexpr double TrustedRadius = 1.0; // places farther from the center are not the model's business
 constexpr int NewtonIterations = 20;
-constexpr double NewtonTolerance = 1e-12; // in neighbourhood radii
-constexpr int LargestEnlargement = 8; // of a neighbourhood that does not determine the polynomials
-constexpr double LargestVoid = 0.5;   // distance to the nearest sample, in neighbourhood radii
-constexpr double VoidWidening = 2.0;  // of the neighbourhood beyond that
+constexpr double NewtonTolerance = 1e-12; // in neighborhood radii
+constexpr int LargestEnlargement = 8; // of a neighborhood that does not determine the polynomials
+constexpr double LargestVoid = 0.5;   // distance to the nearest sample, in neighborhood radii
+constexpr double VoidWidening = 2.0;  // of the neighborhood beyond that
 
 class PolynomialModel : public LevelSetModel
 {
@@ -28,7 +28,7 @@ public:
   {
   }
 
-  bool centre(const Vector3d& place) override;
+  bool center(const Vector3d& place) override;
   std::optional<Vector3d> solve(double level, const Vector3d& start) const override;
   std::optional<Saddle> nearbySaddle() const override;
 
@@ -38,7 +38,7 @@ private:
   void copySamples();
   double radiusAround(const Vector3d& place, int count);
   void weigh(const Vector3d& place, double radius);
-  bool evaluateAtCentre();
+  bool evaluateAtCenter();
   double valueOn(const Vector2d& uv, Vector2d& gradient) const;
 
   const SampledFunction& function_;
@@ -46,7 +46,7 @@ private:
   int degree_;
   LocalFit fit_;
   WeightedSamples samples_;
-  bool centred_ = false;
+  bool centered_ = false;
   std::vector<double> squaredDistances_; // scratch
   int gatheredCount_ = 0;                // asked for at the last gathering
   double gatherMargin_ =
@@ -140,13 +140,13 @@ bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
   return this->fit_.compute(place, this->samples_, this->reach, degree);
 }
 
-bool PolynomialModel::centre(const Vector3d& place)
+bool PolynomialModel::center(const Vector3d& place)
 {
   if (!place.allFinite())
   {
     return false;
   }
-  if (this->centred_ && place == this->fit_.centre())
+  if (this->centered_ && place == this->fit_.center())
   {
     return true;
   }
@@ -160,7 +160,7 @@ bool PolynomialModel::centre(const Vector3d& place)
       const bool last = more == LargestEnlargement || this->size_.count * more >= all;
       if (this->fit(place, this->size_.count * more, degree))
       {
-        return this->centred_ = this->evaluateAtCentre();
+        return this->centered_ = this->evaluateAtCenter();
       }
       if (last)
       {
@@ -168,10 +168,10 @@ bool PolynomialModel::centre(const Vector3d& place)
       }
     }
   }
-  return this->centred_ = false;
+  return this->centered_ = false;
 }
 
-bool PolynomialModel::evaluateAtCentre()
+bool PolynomialModel::evaluateAtCenter()
 {
   const Eigen::Matrix3d& frame = this->fit_.frame();
   const LocalFit::Slope height = this->fit_.heightSlope(Vector2d::Zero());
@@ -179,7 +179,7 @@ bool PolynomialModel::evaluateAtCentre()
   this->distanceGradient = frame * Vector3d(-height.gradient.x(), -height.gradient.y(), 1.0);
   if (this->function_.volumeFunction)
   {
-    this->value = this->function_.volumeFunction(this->fit_.centre(), &this->valueGradient);
+    this->value = this->function_.volumeFunction(this->fit_.center(), &this->valueGradient);
   }
   else
   {

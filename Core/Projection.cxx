@@ -12,7 +12,7 @@ std::optional<LevelSetPoint> project(
   point.position = start;
   for (int i = 0;; ++i)
   {
-    if (!model.centre(point.position))
+    if (!model.center(point.position))
     {
       return {};
     }

@@ -15,8 +15,8 @@ struct ProjectionLimits
   int maximumIterations;
 };
 
-/// Solves F = level, g = 0 from `start`, (14), centring the model at each iterate; afterwards it is
-/// centred at the result.
+/// Solves F = level, g = 0 from `start`, (14), centering the model at each iterate; afterwards it
+/// is centered at the result.
 /// @returns none if the way leads off the model; a point that is not `converged` is the last
 /// iterate.
 std::optional<LevelSetPoint> project(

@@ -3,7 +3,7 @@
 
 usage: potree-to-vtp.py FOLDER OUTPUT.vtp     FOLDER holds cloud.js
 
-Coordinates are written in double precision with one vertex cell for all points; colours become the array RGB, normals the
+Coordinates are written in double precision with one vertex cell for all points; colors become the array RGB, normals the
 array Normals. The data are inline and base64 (DataMode Binary), which every ParaView reads. Prints the number of points.
 """
 

@@ -8,8 +8,6 @@ file(MAKE_DIRECTORY "${SURFACE_SCALARS_TEST_OUTPUT}")
 if (SURFACE_SCALARS_PARAVIEW)
   find_program(SURFACE_SCALARS_PVPYTHON pvpython HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED
     DOC "ParaView's Python, to test the plugin")
-  find_program(SURFACE_SCALARS_XVFB_RUN xvfb-run REQUIRED
-    DOC "Runs a program with a display of its own: pvpython cannot draw without one")
 endif ()
 
 # surface_scalars_add_test(<name> [VTK] [TIMEOUT <seconds>] SOURCES <file>... LIBRARIES <target>...)
@@ -50,14 +48,14 @@ function (surface_scalars_add_pvpython_test name script)
   get_filename_component(script "${script}" ABSOLUTE)
   add_test(
     NAME    "${folder}.${name}"
-    COMMAND "${SURFACE_SCALARS_XVFB_RUN}" -a "${SURFACE_SCALARS_PVPYTHON}" "${script}" ${test_ARGUMENTS})
+    COMMAND "${PROJECT_SOURCE_DIR}/Utilities/with-display.sh"
+      "${SURFACE_SCALARS_PVPYTHON}" "${script}" ${test_ARGUMENTS}) # pvpython cannot draw without a display
   set(environment
     "SURFACE_SCALARS_PLUGIN=$<TARGET_FILE:SurfaceScalars>"
     "SURFACE_SCALARS_DATA=${PROJECT_SOURCE_DIR}/Data"
     "SURFACE_SCALARS_OUTPUT=${SURFACE_SCALARS_TEST_OUTPUT}"
     "PYTHONDONTWRITEBYTECODE=1")
   set_tests_properties("${folder}.${name}" PROPERTIES
-    TIMEOUT       "${test_TIMEOUT}"
-    ENVIRONMENT   "${environment}"
-    RESOURCE_LOCK display) # two xvfb-run that start together may choose the same display
+    TIMEOUT     "${test_TIMEOUT}"
+    ENVIRONMENT "${environment}")
 endfunction ()

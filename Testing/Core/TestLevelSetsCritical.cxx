@@ -39,10 +39,10 @@ bool isFinite(const LevelSets& levelSets)
 }
 
 /// Which of the sectors between the zeros of a function of the polar angle a place lies in; -1 near
-/// the centre.
-int sector(const Vector3d& place, int sectorCount, double firstAngle, double nearCentre)
+/// the center.
+int sector(const Vector3d& place, int sectorCount, double firstAngle, double nearCenter)
 {
-  if (place.head<2>().norm() < nearCentre)
+  if (place.head<2>().norm() < nearCenter)
   {
     return -1;
   }

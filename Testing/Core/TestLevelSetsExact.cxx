@@ -96,7 +96,7 @@ TEST(LevelSetsExact, largerValuesLieToTheLeft)
   }
 }
 
-// A closed curve does not repeat its first point; neighbouring points are apart, about a step, on
+// A closed curve does not repeat its first point; neighboring points are apart, about a step, on
 // every curve.
 TEST(LevelSetsExact, curvesAreCleanPolylines)
 {

@@ -33,7 +33,7 @@ TruthResult runNoisy(double pointNoise, double valueNoise)
   return all;
 }
 
-// Averaging over enough neighbours removes most noise: with normal noise on the points, the curves
+// Averaging over enough neighbors removes most noise: with normal noise on the points, the curves
 // are right for 90% of the iso-values and in the mean closer to the exact ones than 0.3 of its
 // standard deviation.
 TEST(LevelSetsNoise, isReducedOnPoints)
@@ -54,9 +54,9 @@ TEST(LevelSetsNoise, isReducedOnValues)
   EXPECT_LE(result.score.pointMean(), 0.35);
 }
 
-// With too few neighbours for the noise curves may break or multiply, but none runs on and on:
+// With too few neighbors for the noise curves may break or multiply, but none runs on and on:
 // together they are not much longer than the circles they stand for.
-TEST(LevelSetsNoise, tooFewNeighboursDoNotRunAway)
+TEST(LevelSetsNoise, tooFewNeighborsDoNotRunAway)
 {
   const auto squaredRadius = [](const Vector3d& p) { return p.squaredNorm(); };
   for (const unsigned seed : { 1u, 2u, 3u })

@@ -54,9 +54,9 @@ TEST(LocalFit, reproducesPolynomialsOnAPlane)
   {
     const Function polynomial = [=](const Vector3d& p)
     { return 2.0 + std::pow(0.8 * p.dot(u) - 0.5 * p.dot(v) + 0.1, degree); };
-    const Vector3d centre = 0.2 * u - 0.1 * v;
+    const Vector3d center = 0.2 * u - 0.1 * v;
     LocalFit fit;
-    ASSERT_TRUE(fit.compute(centre, samplesOf(points, polynomial), 1.5, degree));
+    ASSERT_TRUE(fit.compute(center, samplesOf(points, polynomial), 1.5, degree));
     for (const Vector2d& uv : { Vector2d(0.0, 0.0), Vector2d(0.3, -0.4) })
     {
       const Vector3d place = fit.lift(uv);
@@ -98,27 +98,27 @@ TEST(LocalFit, liftAndFlattenAreInverse)
   EXPECT_LT((fit.frame().transpose() * fit.frame() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
   const Vector2d uv(0.03, -0.02);
   EXPECT_LT((fit.flatten(fit.lift(uv)) - uv).norm(), 1e-14);
-  EXPECT_LT((fit.flatten(fit.centre() + fit.frame().col(2))).norm(), 1e-14);
+  EXPECT_LT((fit.flatten(fit.center() + fit.frame().col(2))).norm(), 1e-14);
 }
 
 // On a sphere the fitted height has both curvatures 1, the normal is radial, and f's gradient is
 // its tangential part.
 TEST(LocalFit, knowsTheSphere)
 {
-  const Vector3d centre = Vector3d(0.3, -0.5, 0.8).normalized();
+  const Vector3d center = Vector3d(0.3, -0.5, 0.8).normalized();
   const Points cap = Truth::select(
-    Truth::randomSphere(200000, 4), [=](const Vector3d& p) { return (p - centre).norm() < 0.05; });
+    Truth::randomSphere(200000, 4), [=](const Vector3d& p) { return (p - center).norm() < 0.05; });
   const Vector3d direction(1.0, 0.4, -0.2);
   const Function height = [=](const Vector3d& p) { return direction.dot(p); };
   LocalFit fit;
-  ASSERT_TRUE(fit.compute(centre, samplesOf(cap, height), 0.05, 2));
+  ASSERT_TRUE(fit.compute(center, samplesOf(cap, height), 0.05, 2));
   const Vector2d zero = Vector2d::Zero();
-  EXPECT_NEAR(std::abs(fit.normal(zero).dot(centre)), 1.0, 1e-6);
+  EXPECT_NEAR(std::abs(fit.normal(zero).dot(center)), 1.0, 1e-6);
   EXPECT_NEAR(std::abs(fit.height(zero).hessian.trace()), 2.0, 0.01);
   EXPECT_NEAR(fit.height(zero).hessian.determinant(), 1.0, 0.01);
-  const Vector3d tangential = direction - direction.dot(centre) * centre;
+  const Vector3d tangential = direction - direction.dot(center) * center;
   EXPECT_LT((fit.gradient(zero) - tangential).norm(), 1e-3);
-  EXPECT_NEAR(fit.value(zero).value, direction.dot(centre), 1e-5);
+  EXPECT_NEAR(fit.value(zero).value, direction.dot(center), 1e-5);
 }
 
 // Samples of weight 0 do not count: moved anywhere, the fit is the same.
@@ -179,7 +179,7 @@ TEST(LocalFit, refusesDegenerateSamples)
   }
 }
 
-// Lengths scale: the fit of a scaled neighbourhood is the scaled fit.
+// Lengths scale: the fit of a scaled neighborhood is the scaled fit.
 TEST(LocalFit, doesNotDependOnTheUnit)
 {
   const Points points = Truth::randomPlane(50, 9);

@@ -32,7 +32,7 @@ std::vector<double> sortedDistances(const PointsRef& points, const Vector3d& pla
   return distances;
 }
 
-// The stored neighbours of a point are its k nearest other points, nearest first.
+// The stored neighbors of a point are its k nearest other points, nearest first.
 TEST(NeighborGraph, findsTheNearestPoints)
 {
   const Points input = randomTorus(700, Torus::Closed, 1);
@@ -52,7 +52,7 @@ TEST(NeighborGraph, findsTheNearestPoints)
   }
 }
 
-// With a radius, the neighbours are exactly the other points within it, nearest first.
+// With a radius, the neighbors are exactly the other points within it, nearest first.
 TEST(NeighborGraph, findsAllPointsWithinTheRadius)
 {
   const double sigma = 0.25;
@@ -105,14 +105,14 @@ TEST(NeighborGraph, searchesAroundPlaces)
 }
 
 // pointOfInput and inputOfPoint are inverse permutations, and points() are the input about the
-// centre of its box.
+// center of its box.
 TEST(NeighborGraph, permutationLeadsThereAndBack)
 {
   const Points input = randomTorus(3000, Torus::Cut, 5);
   const NeighborGraph graph(input, nearest(6));
   ASSERT_EQ(graph.inputCount(), 3000u);
-  const Vector3d centre = 0.5 * (input.rowwise().minCoeff() + input.rowwise().maxCoeff());
-  EXPECT_LT((graph.origin() - centre).norm(), 1e-15);
+  const Vector3d center = 0.5 * (input.rowwise().minCoeff() + input.rowwise().maxCoeff());
+  EXPECT_LT((graph.origin() - center).norm(), 1e-15);
   for (std::size_t i = 0; i < graph.inputCount(); ++i)
   {
     const Index point = graph.pointOfInput(i);
@@ -124,7 +124,7 @@ TEST(NeighborGraph, permutationLeadsThereAndBack)
 }
 
 // An edge exists where either end stores the other: isEdge tells which.
-TEST(NeighborGraph, edgesAreTheStoredNeighbours)
+TEST(NeighborGraph, edgesAreTheStoredNeighbors)
 {
   const NeighborGraph graph(randomTorus(300, Torus::Closed, 6), nearest(5));
   for (Index i = 0; i < graph.pointCount(); ++i)
@@ -138,7 +138,7 @@ TEST(NeighborGraph, edgesAreTheStoredNeighbours)
   }
 }
 
-// On a square grid of spacing h the 8th neighbour is at h sqrt(2): density 8 / (2 pi h^2), step h
+// On a square grid of spacing h the 8th neighbor is at h sqrt(2): density 8 / (2 pi h^2), step h
 // sqrt(pi / 4).
 TEST(NeighborGraph, samplingStepOfAGrid)
 {

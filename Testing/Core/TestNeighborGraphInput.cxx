@@ -72,7 +72,7 @@ TEST(NeighborGraphInput, mergesDuplicates)
   }
 }
 
-// Duplicates are found even where the Morton cells are too coarse to tell their neighbours apart.
+// Duplicates are found even where the Morton cells are too coarse to tell their neighbors apart.
 TEST(NeighborGraphInput, mergesDuplicatesInACrowdedCell)
 {
   Points input(3, 301);
@@ -85,14 +85,14 @@ TEST(NeighborGraphInput, mergesDuplicatesInACrowdedCell)
   EXPECT_EQ(graph.pointCount(), 101u);
 }
 
-// No point is its own neighbour, not even where distinct points fall together by rounding.
-TEST(NeighborGraphInput, noPointIsItsOwnNeighbour)
+// No point is its own neighbor, not even where distinct points fall together by rounding.
+TEST(NeighborGraphInput, noPointIsItsOwnNeighbor)
 {
   Points input = randomPlane(200, 8);
   for (int i = 0; i < 50; ++i)
   {
     input.col(i) =
-      Vector3d(1e-25 * i, 1e-30 * i * i, 0.0); // distinct until the centre is subtracted
+      Vector3d(1e-25 * i, 1e-30 * i * i, 0.0); // distinct until the center is subtracted
   }
   for (const NeighborQuery& query : { nearest(8), within(0.3) })
   {
@@ -151,8 +151,8 @@ TEST(NeighborGraphInput, doesNotDependOnTheUnit)
   }
 }
 
-// Fewer points than asked for: every point has all others as neighbours.
-TEST(NeighborGraphInput, fewPointsAreAllNeighbours)
+// Fewer points than asked for: every point has all others as neighbors.
+TEST(NeighborGraphInput, fewPointsAreAllNeighbors)
 {
   const NeighborGraph graph(randomPlane(5, 13), nearest(16));
   for (Index i = 0; i < 5; ++i)

@@ -259,7 +259,7 @@ TEST(ContourInput, acceptsCoplanarPoints)
   EXPECT_NEAR(curves.front().length, 2.0, 0.15); // two steps at either end
 }
 
-// Regular sampling is full of ties and coplanar neighbourhoods.
+// Regular sampling is full of ties and coplanar neighborhoods.
 TEST(ContourInput, acceptsARegularGrid)
 {
   const std::vector<Curve> curves = contour(makeCloud(Truth::squareGrid(60, 1.0), x), 20.5);
@@ -428,7 +428,7 @@ TEST(ContourInput, contoursSeveralSurfaces)
 }
 
 // A scan in map coordinates, offset 4,000,000 with steps of a millimetre, has the curves of the
-// centred one of unit size.
+// centered one of unit size.
 TEST(ContourInput, worksInMapCoordinates)
 {
   const Points points = torusPoints();
@@ -445,9 +445,9 @@ TEST(ContourInput, worksInMapCoordinates)
     EXPECT_NEAR(curves[i].length / scale, expected[i].length, 1e-3);
     for (const Vector3d& p : curves[i].points)
     {
-      const Vector3d centred = (p - Vector3d(4e6, 4e6, 4e6)) / scale;
-      EXPECT_NEAR(centred.z(), 0.2, 0.01 * step);
-      EXPECT_NEAR(Truth::torusDistance(centred), 0.0, 0.01 * step);
+      const Vector3d centered = (p - Vector3d(4e6, 4e6, 4e6)) / scale;
+      EXPECT_NEAR(centered.z(), 0.2, 0.01 * step);
+      EXPECT_NEAR(Truth::torusDistance(centered), 0.0, 0.01 * step);
     }
   }
 }

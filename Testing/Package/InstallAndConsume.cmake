@@ -1,5 +1,5 @@
-# Installs the build tree BUILD below the folder WORK, moves what was installed, builds the project CONSUMER against it and
-# runs it. With SOURCE, BUILD is configured (OPTIONS, separated by blanks) and built first.
+# Installs the build tree BUILD below the folder WORK, moves what was installed, builds the projects CONSUMER and EXAMPLE against
+# it and runs them. With SOURCE, BUILD is configured (OPTIONS, separated by blanks) and built first.
 
 function (run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -34,3 +34,9 @@ foreach (component IN ITEMS Core Filters)
   run("${CMAKE_COMMAND}" --build "${consumer}" --config "${CONFIG}")
   run("${consumer}/use${component}")
 endforeach ()
+
+# The example that README points to, on the scan that comes with us.
+run("${CMAKE_COMMAND}" ${common} -S "${EXAMPLE}" -B "${WORK}/consumer/example"
+  "-DCMAKE_PREFIX_PATH=${WORK}/moved")
+run("${CMAKE_COMMAND}" --build "${WORK}/consumer/example" --config "${CONFIG}")
+run("${WORK}/consumer/example/contour_scan" "${DATA}/kitten.xyz" "${WORK}/contours.vtp")

@@ -26,7 +26,7 @@ struct Segment
   }
 };
 
-/// All pieces of the curves, none longer than the mean so that a search around their centres stays
+/// All pieces of the curves, none longer than the mean so that a search around their centers stays
 /// local.
 class Polylines
 {
@@ -55,13 +55,13 @@ public:
       {
         this->segments_.push_back(
           { segment.from + direction * i / pieces, segment.from + direction * (i + 1) / pieces });
-        this->centres_.push_back(0.5 * (this->segments_.back().from + this->segments_.back().to));
+        this->centers_.push_back(0.5 * (this->segments_.back().from + this->segments_.back().to));
       }
     }
   }
 
   bool isEmpty() const { return this->segments_.empty(); }
-  const std::vector<Vector3d>& centres() const { return this->centres_; }
+  const std::vector<Vector3d>& centers() const { return this->centers_; }
 
   double distance(const Vector3d& place, const PointSearch& search) const
   {
@@ -75,7 +75,7 @@ public:
 
 private:
   std::vector<Segment> segments_;
-  std::vector<Vector3d> centres_;
+  std::vector<Vector3d> centers_;
   double halfLength_ = 0.0;
 };
 
@@ -115,7 +115,7 @@ double largestDistance(
   {
     return std::numeric_limits<double>::infinity();
   }
-  const PointSearch search(polylines.centres());
+  const PointSearch search(polylines.centers());
   double largest = 0.0;
   for (const Vector3d& place : places)
   {

@@ -170,10 +170,10 @@ ExactLevelSet LevelSetFamily::at(double isoValue) const
       }
       else if (crossed.size() == 4)
       {
-        const bool centreIsAbove =
+        const bool centerIsAbove =
           this->function_.value(torusPoint(this->angles(i + 0.5, j + 0.5))) >= isoValue;
-        // Corner 0 belongs to the centre: the curves cut off corners 1 and 3, otherwise 0 and 2.
-        const int first = centreIsAbove == above[0] ? 0 : 3;
+        // Corner 0 belongs to the center: the curves cut off corners 1 and 3, otherwise 0 and 2.
+        const int first = centerIsAbove == above[0] ? 0 : 3;
         crossings.link(side[first], side[(first + 1) % 4]);
         crossings.link(side[(first + 2) % 4], side[(first + 3) % 4]);
       }

@@ -15,7 +15,7 @@ struct ExactLevelSet
   int closedCount = 0;
   int openCount = 0; ///< from boundary to boundary of the cut torus
   std::vector<Vector3d>
-    points; ///< on the curves to rounding, no two neighbours further apart than the grid's diagonal
+    points; ///< on the curves to rounding, no two neighbors further apart than the grid's diagonal
 };
 
 /**
@@ -23,7 +23,7 @@ struct ExactLevelSet
  *
  * The number of curves is exact if no two critical points, boundary extrema included, lie closer to
  * the level set than the grid resolves: true for iso-values a percent of the range away from
- * critical values. Where a cell has two crossings on either diagonal, the value at its centre
+ * critical values. Where a cell has two crossings on either diagonal, the value at its center
  * decides.
  */
 class LevelSetFamily

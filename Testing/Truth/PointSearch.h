@@ -10,7 +10,7 @@
 namespace SurfaceScalars::Truth
 {
 
-/// Nearest neighbours among a list of places.
+/// Nearest neighbors among a list of places.
 class PointSearch
 {
 public:

@@ -1,7 +1,7 @@
 """Starts the real ParaView window, lets it run a script with our filters, and compares a screenshot with the baseline.
 
 The comparison is a loose one, for fonts, themes and drivers differ: both pictures are made small, then the mean difference
-of their pixels must be small. It would not miss the thin curves, so these are looked for by their colour. To renew the baseline after a wanted change, copy the reduced screenshot that the test writes
+of their pixels must be small. It would not miss the thin curves, so these are looked for by their color. To renew the baseline after a wanted change, copy the reduced screenshot that the test writes
 (it says where) to Baseline/.
 
 Usage: pvpython TestWindow.py PARAVIEW IMPORT, the programs that show the window and take the picture.
@@ -21,7 +21,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 HERE = os.path.dirname(os.path.abspath(__file__))
 WINDOW = "1400x900+0+0"
 SIZE = (350, 225)
-LARGEST_DIFFERENCE = 0.06  # mean over all pixels and colours, of 1
+LARGEST_DIFFERENCE = 0.06  # mean over all pixels and colors, of 1
 FEWEST_RED_PIXELS = 2000  # there are some 8000 of the upper curves, and some 250 without curves
 PATIENCE = 200  # seconds
 
