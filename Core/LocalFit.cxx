@@ -46,6 +46,10 @@ Eigen::Matrix3d tangentFrame(const Vector3d& center, const WeightedSamples& samp
   for (Eigen::Index i = 0; i < samples.weights.size(); ++i)
   {
     const double w = samples.weights[i];
+    if (w <= 0.0)
+    {
+      continue;
+    }
     const Vector3d offset = samples.points.col(i) - center;
     weight += w;
     mean += w * offset;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace SurfaceScalars
@@ -13,6 +14,7 @@ namespace SurfaceScalars
 namespace
 {
 
+constexpr std::size_t MedianSamples = 10000;
 constexpr std::size_t Grain = 1024; // points per block of a parallel loop
 
 /// The points in Morton order without duplicates, and the way there from the caller's order.
@@ -24,38 +26,95 @@ struct SortedPoints
   std::vector<Index> inputOfPoint;
 };
 
-Vector3d boxCenter(const PointsRef& points)
+/// The center of the bounding box. @throws InvalidInput if a coordinate is not finite
+Vector3d boxCenter(const PointsRef& input, const Execution& execution)
 {
-  const Vector3d low = points.rowwise().minCoeff();
-  return low + 0.5 * (points.rowwise().maxCoeff() - low);
+  const auto count = static_cast<std::size_t>(input.cols());
+  const std::size_t blocks = (count + Grain - 1) / Grain;
+  Points low(3, static_cast<Eigen::Index>(blocks));
+  Points high(3, static_cast<Eigen::Index>(blocks));
+  parallelFor(count, Grain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto block =
+        input.middleCols(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin));
+      if (!block.allFinite())
+      {
+        throw InvalidInput("finite coordinates", "NaN or infinity", "Leave such points out.");
+      }
+      const auto column = static_cast<Eigen::Index>(begin / Grain);
+      low.col(column) = block.rowwise().minCoeff();
+      high.col(column) = block.rowwise().maxCoeff();
+    });
+  const Vector3d lowest = low.rowwise().minCoeff();
+  return lowest + 0.5 * (high.rowwise().maxCoeff() - lowest);
+}
+
+/// Numbers runs of equal points, in the order given, from 0: duplicates get the same number.
+/// @returns how many runs
+std::size_t numberRuns(const Points& points, const std::vector<Index>& order,
+  std::vector<Index>& runs, const Execution& execution)
+{
+  const auto startsRun = [&](std::size_t i)
+  { return i == 0 || points.col(order[i]) != points.col(order[i - 1]); };
+  std::vector<std::size_t> before((order.size() + Grain - 1) / Grain + 1, 0);
+  parallelFor(order.size(), Grain, execution.part(0.0, 0.5),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        before[begin / Grain + 1] += startsRun(i) ? 1 : 0;
+      }
+    });
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  runs.resize(order.size());
+  parallelFor(order.size(), Grain, execution.part(0.5, 1.0),
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::size_t started = before[begin / Grain];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        started += startsRun(i) ? 1 : 0;
+        runs[i] = static_cast<Index>(started - 1);
+      }
+    });
+  return before.back();
 }
 
 SortedPoints sortPoints(const PointsRef& input, const Execution& execution)
 {
   SortedPoints sorted;
-  sorted.origin = boxCenter(input);
+  sorted.origin = boxCenter(input, execution.part(0.0, 0.05));
   // Centered before all else: what becomes equal by that is a duplicate too.
-  const Points centered = input.colwise() - sorted.origin;
   const auto count = static_cast<std::size_t>(input.cols());
-  const std::vector<Index> order = mortonOrder(centered, execution);
-  sorted.pointOfInput.resize(count);
-  sorted.inputOfPoint.reserve(count);
-  sorted.points.resize(3, input.cols());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const bool duplicate = i > 0 && centered.col(order[i]) == centered.col(order[i - 1]);
-    if (!duplicate)
+  Points centered(3, input.cols());
+  parallelFor(count, Grain, execution.part(0.05, 0.1),
+    [&](std::size_t begin, std::size_t end)
     {
-      sorted.points.col(static_cast<Eigen::Index>(sorted.inputOfPoint.size())) =
-        centered.col(order[i]);
-      sorted.inputOfPoint.push_back(order[i]);
-    }
-    sorted.pointOfInput[order[i]] = static_cast<Index>(sorted.inputOfPoint.size() - 1);
-  }
-  if (sorted.inputOfPoint.size() < count)
-  {
-    sorted.points.conservativeResize(3, static_cast<Eigen::Index>(sorted.inputOfPoint.size()));
-  }
+      const auto first = static_cast<Eigen::Index>(begin);
+      const auto size = static_cast<Eigen::Index>(end - begin);
+      centered.middleCols(first, size) = input.middleCols(first, size).colwise() - sorted.origin;
+    });
+  const std::vector<Index> order = mortonOrder(centered, execution.part(0.1, 0.8));
+  std::vector<Index> runs;
+  const std::size_t distinct = numberRuns(centered, order, runs, execution.part(0.8, 0.9));
+
+  sorted.points.resize(3, static_cast<Eigen::Index>(distinct));
+  sorted.inputOfPoint.resize(distinct);
+  sorted.pointOfInput.resize(count);
+  parallelFor(count, Grain, execution.part(0.9, 1.0),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        sorted.pointOfInput[order[i]] = runs[i];
+        if (i == 0 || runs[i] != runs[i - 1])
+        {
+          sorted.points.col(runs[i]) = centered.col(order[i]);
+          sorted.inputOfPoint[runs[i]] = order[i];
+        }
+      }
+    });
   return sorted;
 }
 
@@ -176,7 +235,13 @@ void NeighborGraph::Implementation::measureSteps(const Execution& execution)
         this->steps[i] = this->samplingStep(static_cast<Index>(i));
       }
     });
-  std::vector<double> ordered = this->steps;
+  // Of points spread over all, which is as good and quicker.
+  const std::size_t stride = std::max<std::size_t>(1, this->steps.size() / MedianSamples);
+  std::vector<double> ordered;
+  for (std::size_t i = stride / 2; i < this->steps.size(); i += stride)
+  {
+    ordered.push_back(this->steps[i]);
+  }
   const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
   std::nth_element(ordered.begin(), middle, ordered.end());
   this->medianStep = *middle;
@@ -189,10 +254,6 @@ NeighborGraph::NeighborGraph(
   if (points.cols() < 2)
   {
     throw InvalidInput("at least 2 points", std::to_string(points.cols()), remedy);
-  }
-  if (!points.allFinite())
-  {
-    throw InvalidInput("finite coordinates", "NaN or infinity", "Leave such points out.");
   }
   this->implementation_ = std::make_unique<Implementation>(points, query, execution);
   this->implementation_->measureSteps(execution);

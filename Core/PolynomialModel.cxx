@@ -37,7 +37,7 @@ private:
   void gather(const Vector3d& place, int count);
   void copySamples();
   double radiusAround(const Vector3d& place, int count);
-  void weigh(const Vector3d& place, double radius);
+  void weigh(double radius);
   bool evaluateAtCenter();
   double valueOn(const Vector2d& uv, Vector2d& gradient) const;
 
@@ -47,8 +47,8 @@ private:
   LocalFit fit_;
   WeightedSamples samples_;
   bool centered_ = false;
-  std::vector<double> squaredDistances_; // scratch
-  int gatheredCount_ = 0;                // asked for at the last gathering
+  std::vector<double> scratch_;
+  int gatheredCount_ = 0; // asked for at the last gathering
   double gatherMargin_ =
     0.0; // how far from gatherPlace_ the samples gathered are still all that count
 };
@@ -94,29 +94,24 @@ void PolynomialModel::copySamples()
 /// Continuous in the place.
 double PolynomialModel::radiusAround(const Vector3d& place, int count)
 {
-  const Eigen::Index found = this->samples_.weights.size();
-  this->squaredDistances_.resize(static_cast<std::size_t>(found));
-  for (Eigen::Index i = 0; i < found; ++i)
-  {
-    this->squaredDistances_[static_cast<std::size_t>(i)] =
-      (this->samples_.points.col(i) - place).squaredNorm();
-  }
-  const auto first = this->squaredDistances_.begin();
-  const auto last = first + std::min<Eigen::Index>(count, found) - 1;
-  std::nth_element(first, last, this->squaredDistances_.end());
+  // The squared distances are kept where the weights, which come from them, are to be.
+  Values& squared = this->samples_.weights;
+  squared = (this->samples_.points.colwise() - place).colwise().squaredNorm().transpose();
+  this->scratch_.assign(squared.data(), squared.data() + squared.size());
+  const auto first = this->scratch_.begin();
+  const auto last = first + std::min<Eigen::Index>(count, squared.size()) - 1;
+  std::nth_element(first, last, this->scratch_.end());
   const double radius = std::max(std::sqrt(*last), this->size_.radius);
-  const double nearest = std::sqrt(*std::min_element(first, last + 1)) / radius;
+  const double nearest = std::sqrt(squared.minCoeff()) / radius;
   return radius * (1.0 + VoidWidening * std::max(0.0, nearest - LargestVoid));
 }
 
-/// Weights (1 - r^2 / radius^2)^2, which vanish smoothly at the radius.
-void PolynomialModel::weigh(const Vector3d& place, double radius)
+/// Turns the squared distances that radiusAround() left into weights (1 - r^2 / radius^2)^2, which
+/// vanish smoothly at the radius.
+void PolynomialModel::weigh(double radius)
 {
-  for (Eigen::Index i = 0; i < this->samples_.weights.size(); ++i)
-  {
-    const double w = 1.0 - (this->samples_.points.col(i) - place).squaredNorm() / (radius * radius);
-    this->samples_.weights[i] = w > 0.0 ? w * w : 0.0;
-  }
+  this->samples_.weights =
+    (1.0 - this->samples_.weights.array() / (radius * radius)).max(0.0).square();
 }
 
 bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
@@ -128,15 +123,16 @@ bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
   }
   this->reach = this->radiusAround(place, count);
   const auto gathered = static_cast<std::size_t>(count);
-  if (this->reach * this->reach >
-      *std::max_element(this->squaredDistances_.begin(), this->squaredDistances_.end()) &&
+  if (this->reach * this->reach > this->samples_.weights.maxCoeff() &&
     gathered < this->function_.graph.pointCount())
   {
     this->function_.graph.within(place, this->reach, this->neighborhood_);
     this->copySamples();
+    this->samples_.weights =
+      (this->samples_.points.colwise() - place).colwise().squaredNorm().transpose();
     this->gatheredCount_ = 0; // of no use for another place
   }
-  this->weigh(place, this->reach);
+  this->weigh(this->reach);
   return this->fit_.compute(place, this->samples_, this->reach, degree);
 }
 
