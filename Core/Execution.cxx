@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -83,9 +84,16 @@ void parallelForEach(std::size_t count, const Execution& execution,
   };
 
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < threadsFor(execution, count); ++i)
+  try
   {
-    others.emplace_back(work, false);
+    for (std::size_t i = 1; i < threadsFor(execution, count); ++i)
+    {
+      others.emplace_back(work, false);
+    }
+  }
+  catch (const std::system_error&)
+  {
+    // The system gives no more threads: those there are do the work.
   }
   work(true);
   for (std::thread& other : others)

@@ -11,7 +11,9 @@ packages=(
   # what paraview-dev's CMake files ask for without depending on it
   libopenmpi-dev libdouble-conversion-dev zlib1g-dev qttools5-dev qtxmlpatterns5-dev-tools
   # a display for pvpython where there is none
-  xvfb xauth)
+  xvfb xauth
+  # the icons in the window of ParaView
+  libqt5svg5)
 if [ "${1:-}" != --no-tests ]; then
   packages+=(libgtest-dev libgmock-dev libbenchmark-dev imagemagick clang-format clang-tidy ccache git)
 fi
