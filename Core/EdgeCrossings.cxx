@@ -50,30 +50,40 @@ public:
   /// closest to the point.
   void append(Index point, std::vector<LeveledCrossing>& result)
   {
-    this->closest_.clear();
     const Neighbors neighbors = this->function_.graph.neighbors(point);
     const Index* last = std::min(neighbors.end(), neighbors.begin() + EdgesPerPoint);
+    Index lowest = this->ranks_[point];
+    Index highest = lowest;
+    for (const Index* neighbor = neighbors.begin(); neighbor < last; ++neighbor)
+    {
+      lowest = std::min(lowest, this->ranks_[*neighbor]);
+      highest = std::max(highest, this->ranks_[*neighbor]);
+    }
+    this->closest_.assign(highest - lowest, Closest());
     for (const Index* neighbor = neighbors.begin(); neighbor < last; ++neighbor)
     {
       if (this->ranks_[*neighbor] != this->ranks_[point])
       {
-        this->addEdge(point, *neighbor);
+        this->addEdge(point, *neighbor, lowest);
       }
     }
     for (const Closest& closest : this->closest_)
     {
-      result.push_back(closest.crossing);
+      if (std::isfinite(closest.distance))
+      {
+        result.push_back(closest.crossing);
+      }
     }
   }
 
 private:
   struct Closest
   {
-    LeveledCrossing crossing;
-    double distance;
+    LeveledCrossing crossing{};
+    double distance = INFINITY;
   };
 
-  void addEdge(Index point, Index neighbor)
+  void addEdge(Index point, Index neighbor, Index lowest)
   {
     const double here = this->function_.values[point];
     const double there = this->function_.values[neighbor];
@@ -81,32 +91,18 @@ private:
     const double length =
       (this->function_.graph.points().col(neighbor) - this->function_.graph.points().col(point))
         .norm();
+    const bool isMutual = this->function_.graph.isEdge(neighbor, point);
     for (Index level = first; level < last; ++level)
     {
       // The ends lie on different sides, so they differ; rounding may still leave [0, 1].
       const double parameter = std::clamp((this->levels_[level] - here) / (there - here), 0.0, 1.0);
+      Closest& closest = this->closest_[level - lowest];
       // The other half belongs to the neighbor, if it knows of this edge.
-      if (parameter <= 0.5 || !this->function_.graph.isEdge(neighbor, point))
+      if ((parameter <= 0.5 || !isMutual) && parameter * length < closest.distance)
       {
-        this->keepClosest({ { level, { point, neighbor, parameter } }, parameter * length });
+        closest = { { level, { point, neighbor, parameter } }, parameter * length };
       }
     }
-  }
-
-  void keepClosest(const Closest& candidate)
-  {
-    for (Closest& closest : this->closest_)
-    {
-      if (closest.crossing.level == candidate.crossing.level)
-      {
-        if (candidate.distance < closest.distance)
-        {
-          closest = candidate;
-        }
-        return;
-      }
-    }
-    this->closest_.push_back(candidate);
   }
 
   const SampledFunction& function_;
