@@ -37,6 +37,8 @@ struct Scaling
   }
 };
 
+constexpr std::size_t SamplesPerBlock = 256;
+
 class LevelSetTracing
 {
 public:
@@ -143,13 +145,15 @@ void LevelSetTracing::sampleLevels(const std::vector<LevelCrossings>& crossings)
     ends.push_back(count += ofLevel.size());
   }
   std::vector<std::optional<LevelSetPoint>> found(count);
-  parallelFor(count, 256, this->execution_.part(0.2, 0.6),
-    [&](std::size_t begin, std::size_t end)
+  parallelForEach((count + SamplesPerBlock - 1) / SamplesPerBlock, this->execution_.part(0.2, 0.6),
+    [&](std::size_t block, const Poll& poll)
     {
       EdgeSampler sampler(
         this->function_, this->fitSize_, this->parameters_, this->tracingLimits());
-      for (std::size_t i = begin; i < end; ++i)
+      const std::size_t end = std::min(count, (block + 1) * SamplesPerBlock);
+      for (std::size_t i = block * SamplesPerBlock; i < end; ++i)
       {
+        poll(); // a large SearchRadius makes even one sample slow
         const auto level =
           static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), i) - ends.begin());
         const std::size_t first = ends[level] - crossings[level].size();
