@@ -8,12 +8,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace SurfaceScalars
 {
 namespace
 {
+
+std::string textOf(double number)
+{
+  std::ostringstream text; // std::to_string would show 1e-9 as 0
+  text << number;
+  return text.str();
+}
 
 void require(bool condition, const char* expected, const std::string& found, const char* remedy)
 {
@@ -49,12 +57,12 @@ void checkParameters(
          parameters.linkDistance, parameters.sampleSpacing })
   {
     require(std::isfinite(length) && length >= 0.0, "lengths of 0 (automatic) or more",
-      std::to_string(length), "Correct SearchRadius, KernelWidth, LinkDistance or SampleSpacing.");
+      textOf(length), "Correct SearchRadius, KernelWidth, LinkDistance or SampleSpacing.");
   }
   require(parameters.tolerance > 0.0 && std::isfinite(parameters.tolerance) &&
       parameters.maximumIterations >= 1,
     "a positive finite Tolerance and at least 1 iteration",
-    std::to_string(parameters.tolerance) + " and " + std::to_string(parameters.maximumIterations),
+    textOf(parameters.tolerance) + " and " + std::to_string(parameters.maximumIterations),
     "Use 1e-7 and 20 if in doubt.");
 }
 
@@ -73,8 +81,23 @@ void checkSpread(const NeighborGraph& graph)
   const Vector3d variances =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly)
       .eigenvalues();
-  require(variances[1] > 1e-20 * variances[2], "points spread over a surface",
+  require(variances[1] > 1e-13 * variances[2], "points spread over a surface",
     std::to_string(points.cols()) + " points on one line", "Choose another input.");
+}
+
+} // namespace
+
+namespace
+{
+
+/// Far finer than the samples nothing is known, and memory has an end.
+void checkSpacing(const NeighborGraph& graph, const ContourParameters& parameters)
+{
+  const double finest = 1e-3 * graph.medianSamplingStep();
+  require(parameters.sampleSpacing == 0.0 || parameters.sampleSpacing >= finest,
+    ("a SampleSpacing of 0 or at least " + textOf(finest) + ", a thousandth of the sampling step")
+      .c_str(),
+    textOf(parameters.sampleSpacing), "Raise it.");
 }
 
 } // namespace
@@ -84,6 +107,7 @@ void checkContourInput(
 {
   checkParameters(graph, values, parameters);
   checkSpread(graph);
+  checkSpacing(graph, parameters);
 }
 
 } // namespace SurfaceScalars

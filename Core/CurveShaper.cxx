@@ -148,12 +148,13 @@ std::vector<double> SmoothCurve::places(double spacing) const
 
 } // namespace
 
-CurveShaper::CurveShaper(
-  LevelSetModel& model, double level, const TracingLimits& limits, const CurveShape& shape)
+CurveShaper::CurveShaper(LevelSetModel& model, double level, const TracingLimits& limits,
+  const CurveShape& shape, const Poll& poll)
   : model_(model)
   , level_(level)
   , limits_(limits)
   , shape_(shape)
+  , poll_(poll)
 {
 }
 
@@ -200,6 +201,7 @@ TracedCurve CurveShaper::operator()(const TracedCurve& curve) const
   const std::vector<double> places = smooth.places(this->shape_.spacing);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
+    this->poll_();
     const std::size_t nearest = smooth.nearest(places[i]);
     // The ends stay what they are, if the curve goes through them: one may be a saddle.
     const bool isEnd = i == 0 || (!curve.closed && i + 1 == places.size());

@@ -21,8 +21,8 @@ struct CurveShape
 class CurveShaper
 {
 public:
-  CurveShaper(
-    LevelSetModel& model, double level, const TracingLimits& limits, const CurveShape& shape);
+  CurveShaper(LevelSetModel& model, double level, const TracingLimits& limits,
+    const CurveShape& shape, const Poll& poll);
 
   TracedCurve operator()(const TracedCurve& curve) const;
 
@@ -33,6 +33,7 @@ private:
   double level_;
   TracingLimits limits_;
   CurveShape shape_;
+  const Poll& poll_;
 };
 
 } // namespace SurfaceScalars

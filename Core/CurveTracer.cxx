@@ -229,6 +229,7 @@ TracedCurve Tracer::trace(const Station& start)
   }
   std::vector<Station> backward{ start };
   backward.front().direction = -start.direction;
+  backward.front().point.normal = -start.point.normal; // larger values stay to the left
   const Ending beginning = this->extend(backward, false);
   if (!beginning)
   {

@@ -113,7 +113,8 @@ private:
 
 } // namespace
 
-LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& graph, double spacing)
+LevelCrossings thinned(
+  const LevelCrossings& crossings, const NeighborGraph& graph, double spacing, const Poll& poll)
 {
   // The k-th neighbor is about sqrt(k / pi) steps away; farther points are reached in hops.
   const double hopLength = 2.0;
@@ -122,10 +123,20 @@ LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& gra
     static_cast<std::ptrdiff_t>(std::ceil(Pi * std::pow(std::min(spacing, hopLength), 2)));
 
   std::vector<bool> blocked(crossings.size(), false);
+  std::vector<bool> isReached(graph.pointCount(), false);
   std::vector<Index> reached;
+  const auto reach = [&](Index point)
+  {
+    if (!isReached[point])
+    {
+      isReached[point] = true;
+      reached.push_back(point);
+    }
+  };
   const auto blockAround = [&](Index point)
   {
-    reached.assign(1, point);
+    reached.clear();
+    reach(point);
     std::size_t begin = 0;
     for (int hop = 0; hop < hops; ++hop)
     {
@@ -133,12 +144,12 @@ LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& gra
       for (; begin < end; ++begin)
       {
         const Neighbors around = graph.neighbors(reached[begin]);
-        reached.insert(
-          reached.end(), around.begin(), std::min(around.end(), around.begin() + neighbors));
+        std::for_each(around.begin(), std::min(around.end(), around.begin() + neighbors), reach);
       }
     }
     for (const Index other : reached)
     {
+      isReached[other] = false;
       const auto crossing = std::lower_bound(crossings.begin(), crossings.end(), other,
         [](const EdgeCrossing& a, Index b) { return a.from < b; });
       if (crossing != crossings.end() && crossing->from == other)
@@ -153,6 +164,7 @@ LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& gra
   {
     if (!blocked[i])
     {
+      poll();
       result.push_back(crossings[i]);
       blockAround(crossings[i].from);
     }

@@ -29,6 +29,7 @@ std::vector<LevelCrossings> findCrossings(
 
 /// Keeps crossings that lie about `spacing` sampling steps of the place (at least one) apart: of
 /// those of neighboring points, one.
-LevelCrossings thinned(const LevelCrossings& crossings, const NeighborGraph& graph, double spacing);
+LevelCrossings thinned(
+  const LevelCrossings& crossings, const NeighborGraph& graph, double spacing, const Poll& poll);
 
 } // namespace SurfaceScalars

@@ -30,27 +30,27 @@ EdgeSampler::EdgeSampler(const SampledFunction& function, const FitSize& size,
 }
 
 /// F(q(t)) = level on the edge by Newton's method from the linear solution.
-double EdgeSampler::solveAlongEdge(
+std::optional<Vector3d> EdgeSampler::solveAlongEdge(
   const Vector3d& from, const Vector3d& along, double parameter, double level)
 {
   double t = parameter;
-  for (int i = 0; i < this->limits_.maximumIterations; ++i)
+  for (int i = 0; i < this->limits_.maximumIterations && this->model_->center(from + t * along);
+       ++i)
   {
-    const double slope =
-      this->model_->center(from + t * along) ? this->model_->valueGradient.dot(along) : 0.0;
+    const double slope = this->model_->valueGradient.dot(along);
     const double next = std::clamp(t + (level - this->model_->value) / slope, 0.0, 1.0);
-    if (!std::isfinite(next))
-    {
-      return parameter;
-    }
     const double moved = std::abs(next - t) * along.norm();
+    if (!std::isfinite(moved))
+    {
+      return {};
+    }
     t = next;
     if (moved <= this->limits_.tolerance)
     {
-      break;
+      return from + t * along;
     }
   }
-  return t;
+  return {};
 }
 
 /// Along the normal onto g = 0.
@@ -82,10 +82,9 @@ std::optional<LevelSetPoint> EdgeSampler::sample(const EdgeCrossing& crossing, d
   std::optional<Vector3d> place;
   if (this->surface_ == SurfaceModel::Unprojected)
   {
-    const double parameter = this->scheme_ == Scheme::Linear
-      ? crossing.parameter
+    place = this->scheme_ == Scheme::Linear
+      ? linear
       : this->solveAlongEdge(from, along, crossing.parameter, level);
-    place = from + parameter * along;
   }
   else if (this->scheme_ == Scheme::Linear)
   {

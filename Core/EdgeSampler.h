@@ -30,7 +30,7 @@ public:
   std::optional<LevelSetPoint> sample(const EdgeCrossing& crossing, double level);
 
 private:
-  double solveAlongEdge(
+  std::optional<Vector3d> solveAlongEdge(
     const Vector3d& from, const Vector3d& along, double parameter, double level);
   std::optional<Vector3d> projectOnSurface(Vector3d place);
 

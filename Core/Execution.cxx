@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -50,7 +52,9 @@ void parallelForEach(std::size_t count, const Execution& execution,
   std::atomic<std::size_t> next{ 0 };
   std::atomic<bool> stop{ false };
   std::exception_ptr failure;
-  std::mutex failureMutex;
+  std::size_t working = 0;
+  std::mutex mutex; // for failure and working
+  std::condition_variable finished;
 
   const auto work = [&](bool isCaller)
   {
@@ -75,12 +79,19 @@ void parallelForEach(std::size_t count, const Execution& execution,
     }
     catch (...)
     {
-      const std::lock_guard<std::mutex> lock(failureMutex);
+      const std::lock_guard<std::mutex> lock(mutex);
       if (!stop.exchange(true))
       {
         failure = std::current_exception();
       }
     }
+  };
+  const auto workAndLeave = [&]()
+  {
+    work(false);
+    const std::lock_guard<std::mutex> lock(mutex);
+    --working;
+    finished.notify_one();
   };
 
   std::vector<std::thread> others;
@@ -88,7 +99,9 @@ void parallelForEach(std::size_t count, const Execution& execution,
   {
     for (std::size_t i = 1; i < threadsFor(execution, count); ++i)
     {
-      others.emplace_back(work, false);
+      std::unique_lock<std::mutex> lock(mutex);
+      others.emplace_back(workAndLeave);
+      ++working;
     }
   }
   catch (const std::system_error&)
@@ -96,6 +109,33 @@ void parallelForEach(std::size_t count, const Execution& execution,
     // The system gives no more threads: those there are do the work.
   }
   work(true);
+  // The others may be at it for long yet, and an abort is only heard here.
+  const auto listen = [&](std::unique_lock<std::mutex>& lock)
+  {
+    lock.unlock();
+    try
+    {
+      const auto begun = static_cast<double>(std::min<std::size_t>(next, count));
+      execution.report(std::max(0.0, begun - 1.0) / static_cast<double>(count));
+    }
+    catch (...)
+    {
+      lock.lock();
+      failure = std::current_exception();
+      stop = true;
+      return;
+    }
+    lock.lock();
+  };
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!finished.wait_for(lock, std::chrono::milliseconds(50), [&]() { return working == 0; }))
+  {
+    if (!stop)
+    {
+      listen(lock);
+    }
+  }
+  lock.unlock();
   for (std::thread& other : others)
   {
     other.join();

@@ -16,7 +16,9 @@ constexpr double WantedTurn =
 constexpr double LargestTurn = 0.7;
 constexpr double LargestResidual = 0.2; // of a point that did not converge: noise moves the model
 constexpr double LargestJump = 0.1;     // of the model from one place to the next
-constexpr double Overhang = 0.3;        // beyond the outermost samples, in steps not widened
+constexpr double EdgeStep = 0.05;       // steps that may cross an edge of a given function
+constexpr double LargestEdgeTurn = 2.6;
+constexpr double Overhang = 0.3;    // beyond the outermost samples, in steps not widened
 constexpr double Extension = 0.8;   // from there to the end: the surface goes on about half a step
 constexpr double CarefulStep = 0.5; // where samples are far: a hole must not be stepped over
 constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbors
@@ -99,17 +101,29 @@ std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
     return {};
   }
   Station next{ *point, this->model_.tangent(), this->stepAround() };
-  if (next.direction.dot(from.direction) < 0.0)
+  // A given function may have edges, at which its curves turn as much as they like, but not the
+  // surface.
+  const bool atEdge = this->function_.volumeFunction && step <= EdgeStep * from.step;
+  const bool isReversed = atEdge ? next.point.normal.dot(from.point.normal) < 0.0
+                                 : next.direction.dot(from.direction) < 0.0;
+  if (isReversed)
   {
     next.direction = -next.direction;
     next.point.normal = -next.point.normal;
   }
   const Vector3d chord = next.point.position - from.point.position;
+  const double turn = std::acos(std::clamp(next.direction.dot(from.direction), -1.0, 1.0));
+  const bool isExact = next.point.residual <= LargestResidual * next.step;
+  if (atEdge)
+  {
+    const bool good = isExact && turn < LargestEdgeTurn && chord.norm() > 0.2 * step &&
+      chord.norm() < LargestJump * from.step;
+    return good ? std::optional<Station>(next) : std::nullopt;
+  }
   const double along = chord.dot(from.direction);
   const double across = (chord - along * from.direction).norm();
-  const bool good = next.point.residual <= LargestResidual * next.step &&
-    next.direction.dot(from.direction) > std::cos(LargestTurn) && along > 0.4 * step &&
-    along < 1.6 * step && across < std::max(along, LargestJump * from.step);
+  const bool good = isExact && turn < LargestTurn && along > 0.4 * step && along < 1.6 * step &&
+    across < std::max(along, LargestJump * from.step);
   return good ? std::optional<Station>(next) : std::nullopt;
 }
 

@@ -129,8 +129,9 @@ std::vector<LevelCrossings> LevelSetTracing::findSpacedCrossings() const
   std::vector<LevelCrossings> crossings =
     findCrossings(this->function_, this->levels_, this->execution_.part(0.1, 0.15));
   parallelForEach(crossings.size(), this->execution_.part(0.15, 0.2),
-    [&](std::size_t level, const Poll&)
-    { crossings[level] = thinned(crossings[level], this->function_.graph, this->widening_); });
+    [&](std::size_t level, const Poll& poll) {
+      crossings[level] = thinned(crossings[level], this->function_.graph, this->widening_, poll);
+    });
   return crossings;
 }
 
@@ -181,7 +182,7 @@ std::vector<LevelSetCurve> LevelSetTracing::traceLevel(std::size_t level, const 
   const bool onLevelSet = this->parameters_.scheme != Scheme::Linear &&
     this->parameters_.surface != SurfaceModel::Unprojected;
   const CurveShaper shape(*model, this->levels_[level], limits,
-    { this->parameters_.fit, this->parameters_.sampleSpacing, onLevelSet });
+    { this->parameters_.fit, this->parameters_.sampleSpacing, onLevelSet }, poll);
 
   std::vector<TracedCurve> tracedCurves =
     traceCurves(*model, this->function_, this->levels_[level], this->samples_[level], limits, poll);

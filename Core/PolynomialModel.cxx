@@ -12,7 +12,7 @@ namespace
 
 constexpr double LargestStep = 0.3;   // of one Newton iteration, in neighborhood radii
 constexpr double TrustedRadius = 1.0; // places farther from the center are not the model's business
-constexpr int NewtonIterations = 20;
+constexpr int NewtonIterations = 100; // few are needed but at the edges of a given function
 constexpr double NewtonTolerance = 1e-12; // in neighborhood radii
 constexpr int LargestEnlargement = 8; // of a neighborhood that does not determine the polynomials
 constexpr double LargestVoid = 0.5;   // distance to the nearest sample, in neighborhood radii
