@@ -1,5 +1,7 @@
 #include "LevelSetWalker.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +19,7 @@ constexpr double LargestTurn = 0.7;
 constexpr double LargestResidual = 0.2; // of a point that did not converge: noise moves the model
 constexpr double LargestJump = 0.1;     // of the model from one place to the next
 constexpr double EdgeStep = 0.05;       // steps that may cross an edge of a given function
-constexpr double LargestEdgeTurn = 2.6;
-constexpr double Overhang = 0.3;    // beyond the outermost samples, in steps not widened
+constexpr double Overhang = 0.3;        // beyond the outermost samples, in steps not widened
 constexpr double Extension = 0.8;   // from there to the end: the surface goes on about half a step
 constexpr double CarefulStep = 0.5; // where samples are far: a hole must not be stepped over
 constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbors
@@ -88,9 +89,11 @@ void LevelSetWalker::measureSupport(Station& station)
     station.nearest <= this->limits_.voidRadius * step && beyond <= Overhang * step;
 }
 
-std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
+std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step, double angle)
 {
-  const Vector3d guess = from.point.position + step * from.direction;
+  const Vector3d aside = from.point.normal.cross(from.direction);
+  const Vector3d heading = std::cos(angle) * from.direction + std::sin(angle) * aside;
+  const Vector3d guess = from.point.position + step * heading;
   const std::optional<Vector3d> predicted = this->model_.solve(this->level_, guess);
   const ProjectionLimits limits{ this->limits_.tolerance,
     std::max(0.5 * step, LargestJump * from.step), this->limits_.maximumIterations };
@@ -103,9 +106,9 @@ std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
   Station next{ *point, this->model_.tangent(), this->stepAround() };
   // A given function may have edges, at which its curves turn as much as they like, but not the
   // surface.
-  const bool atEdge = this->function_.volumeFunction && step <= EdgeStep * from.step;
-  const bool isReversed = atEdge ? next.point.normal.dot(from.point.normal) < 0.0
-                                 : next.direction.dot(from.direction) < 0.0;
+  const bool isGiven = static_cast<bool>(this->function_.volumeFunction);
+  const bool isReversed = isGiven ? next.point.normal.dot(from.point.normal) < 0.0
+                                  : next.direction.dot(from.direction) < 0.0;
   if (isReversed)
   {
     next.direction = -next.direction;
@@ -114,10 +117,15 @@ std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
   const Vector3d chord = next.point.position - from.point.position;
   const double turn = std::acos(std::clamp(next.direction.dot(from.direction), -1.0, 1.0));
   const bool isExact = next.point.residual <= LargestResidual * next.step;
-  if (atEdge)
+  if (isGiven && step <= EdgeStep * from.step)
   {
-    const bool good = isExact && turn < LargestEdgeTurn && chord.norm() > 0.2 * step &&
-      chord.norm() < LargestJump * from.step;
+    // From the corner itself the way lies along the new direction; over the corner it is between
+    // the two. Never back.
+    const double onwards = angle != 0.0 ? 0.5 : -0.7;
+    const bool good = isExact && chord.norm() > 0.2 * step &&
+      chord.norm() < LargestJump * from.step &&
+      chord.dot(next.direction) > onwards * chord.norm() &&
+      chord.dot(from.direction) > -0.95 * chord.norm();
     return good ? std::optional<Station>(next) : std::nullopt;
   }
   const double along = chord.dot(from.direction);
@@ -129,17 +137,35 @@ std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step)
 
 std::optional<Station> LevelSetWalker::advance(const Station& from, double& step)
 {
+  const auto arrive = [&](Station next)
+  {
+    const double turn = std::acos(std::clamp(next.direction.dot(from.direction), -1.0, 1.0));
+    step *= std::clamp(WantedTurn / std::max(turn, 1e-6), 0.5, 1.5);
+    this->measureSupport(next);
+    return next;
+  };
   const bool careful = from.nearest > 0.5 * this->limits_.voidRadius * this->samplingStep(from);
   step = std::min(step, (careful ? CarefulStep : LongestStep) * from.step);
   // Shortened until it is good; each failure has moved the model.
   for (; step >= ShortestStep * from.step && this->model_.center(from.point.position); step *= 0.5)
   {
-    if (std::optional<Station> next = this->tryStep(from, step))
+    if (const std::optional<Station> next = this->tryStep(from, step))
     {
-      const double turn = std::acos(std::clamp(next->direction.dot(from.direction), -1.0, 1.0));
-      step *= std::clamp(WantedTurn / std::max(turn, 1e-6), 0.5, 1.5);
-      this->measureSupport(*next);
-      return next;
+      return arrive(*next);
+    }
+  }
+  if (this->function_.volumeFunction)
+  {
+    // At the corner of a given function itself: look round it.
+    step = EdgeStep * from.step;
+    for (const double angle : { 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.0, -2.0, 2.4, -2.4 })
+    {
+      const std::optional<Station> next =
+        this->model_.center(from.point.position) ? this->tryStep(from, step, angle) : std::nullopt;
+      if (next)
+      {
+        return arrive(*next);
+      }
     }
   }
   return {};

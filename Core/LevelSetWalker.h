@@ -48,7 +48,7 @@ public:
 
 private:
   double stepAround();
-  std::optional<Station> tryStep(const Station& from, double step);
+  std::optional<Station> tryStep(const Station& from, double step, double angle = 0.0);
   void measureSupport(Station& station);
 
   LevelSetModel& model_;

@@ -152,6 +152,45 @@ TEST(LevelSetsExact, volumeFunctionIsMetExactly)
   }
 }
 
+// A given function may have edges: a prism cuts a sphere in two closed curves with four corners
+// each.
+TEST(LevelSetsExact, curvesGoRoundTheEdgesOfAGivenFunction)
+{
+  const Points points = randomSphere(20000, 4);
+  ContourParameters parameters = at({ 0.0 });
+  parameters.volumeFunction = [](const Vector3d& place, Vector3d* gradient)
+  {
+    const Vector2d beyond(std::abs(place.x()) - 0.8, std::abs(place.y()) - 0.5);
+    const int axis = beyond.x() > beyond.y() ? 0 : 1;
+    if (gradient)
+    {
+      *gradient = Vector3d::Zero();
+      (*gradient)[axis] = place[axis] < 0.0 ? -1.0 : 1.0;
+    }
+    return beyond[axis];
+  };
+  const NeighborGraph graph(points, NeighborQuery());
+  Values values(graph.pointCount());
+  for (Index i = 0; i < graph.pointCount(); ++i)
+  {
+    values[i] = parameters.volumeFunction(graph.points().col(i) + graph.origin(), nullptr);
+  }
+  const LevelSets levelSets = traceLevelSets(graph, values, parameters);
+  ASSERT_EQ(levelSets.componentCounts, std::vector<int>{ 2 });
+  for (const LevelSetCurve& curve : levelSets.curves)
+  {
+    EXPECT_TRUE(curve.closed);
+    for (const Vector2d& corner :
+      { Vector2d(0.8, 0.5), Vector2d(-0.8, 0.5), Vector2d(0.8, -0.5), Vector2d(-0.8, -0.5) })
+    {
+      const bool passed = std::any_of(curve.points.begin(), curve.points.end(),
+        [&](const LevelSetPoint& point)
+        { return (point.position.head<2>() - corner).norm() < 0.2 * graph.medianSamplingStep(); });
+      EXPECT_TRUE(passed) << corner.transpose();
+    }
+  }
+}
+
 // Samples lie on the level set as well as curves do, and close to every curve there is one.
 TEST(LevelSetsExact, samplesLieOnTheLevelSets)
 {
