@@ -12,8 +12,8 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double FlatFraction =
-  1e-9; // of f's range over a neighborhood: what varies less is a plateau with rounding errors
+// What varies less over a neighborhood, beside its values, is a plateau with rounding errors.
+constexpr double FlatFraction = 1e-10;
 
 } // namespace
 
@@ -31,7 +31,7 @@ Vector3d LevelSetModel::firstOrderStep(double level) const
   Eigen::Matrix<double, 2, 3> jacobian;
   jacobian << this->valueGradient.transpose(), this->distanceGradient.transpose();
   const Eigen::Matrix2d gram = jacobian * jacobian.transpose();
-  const bool flat = !(std::sqrt(gram(0, 0)) * this->reach > FlatFraction);
+  const bool flat = !(std::sqrt(gram(0, 0)) * this->reach > FlatFraction * std::abs(this->value));
   if (flat || !(gram.determinant() > 1e-14 * gram(0, 0) * gram(1, 1)))
   {
     return Vector3d::Constant(std::numeric_limits<double>::infinity());

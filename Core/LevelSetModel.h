@@ -9,8 +9,8 @@
 namespace SurfaceScalars
 {
 
-/// A function and its values at the points of a graph, the values scaled to [-1/2, 1/2] so that
-/// thresholds are fractions of its range.
+/// A function and its values at the points of a graph; values are scaled to a range of 1, so that
+/// thresholds are fractions of f's range.
 struct SampledFunction
 {
   const NeighborGraph& graph;

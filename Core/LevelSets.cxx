@@ -19,21 +19,37 @@ namespace SurfaceScalars
 namespace
 {
 
-/// Takes f's range to [-1/2, 1/2]. Halves throughout: the range of finite values need not be
-/// finite.
+/// Takes f's range to a length of 1 and its typical value to 0, about which numbers are most
+/// precise: one wild value, such as a code for "no data", must not cost the others their digits.
+/// Halves: the range of finite values need not be finite.
 struct Scaling
 {
   double middle;
   double halfRange;
 
   explicit Scaling(const ValuesRef& values)
-    : middle(0.5 * values.minCoeff() + 0.5 * values.maxCoeff())
+    : middle(typical(values))
     , halfRange(0.5 * values.maxCoeff() - 0.5 * values.minCoeff())
   {
   }
   double operator()(double value) const
   {
     return (0.5 * value - 0.5 * this->middle) / this->halfRange;
+  }
+
+private:
+  /// The median of values spread over all.
+  static double typical(const ValuesRef& values)
+  {
+    const Eigen::Index stride = std::max<Eigen::Index>(1, values.size() / 10000);
+    std::vector<double> some;
+    for (Eigen::Index i = stride / 2; i < values.size(); i += stride)
+    {
+      some.push_back(values[i]);
+    }
+    const auto median = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), median, some.end());
+    return *median;
   }
 };
 
@@ -105,8 +121,10 @@ void LevelSetTracing::chooseFitSize()
       : chooseNeighborCount(
           this->function_, polynomialDegree(this->parameters_), this->execution_.part(0.0, 0.1));
   }
+  this->fitSize_.count = std::min(this->fitSize_.count, static_cast<int>(graph.pointCount()));
   const double steps = this->fitSize_.radius / graph.medianSamplingStep();
-  const double used = std::max<double>(this->fitSize_.count, Pi * steps * steps);
+  const double used = std::max<double>(
+    this->fitSize_.count, std::min<double>(Pi * steps * steps, graph.pointCount()));
   this->widening_ = std::sqrt(std::max(1.0, used / UsualNeighborCount));
 }
 
@@ -236,7 +254,7 @@ void LevelSetTracing::collect(LevelSets& result)
       result.samples.push_back({ level, point });
     }
   }
-  result.neighborCount = this->fitSize_.count;
+  result.neighborCount = this->fitSize_.radius > 0.0 ? 0 : this->fitSize_.count;
 }
 
 LevelSets LevelSetTracing::run(std::vector<double> levels)

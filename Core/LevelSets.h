@@ -43,7 +43,7 @@ struct ContourParameters
   VolumeFunction volumeFunction; ///< if set, F is this function exactly (sec. 4.3); called from one
                                  ///< thread at a time
   int polynomialDegree = 2;      ///< 1 to 4
-  int neighborCount = 0;         ///< of a local fit; 0 = from sampling and noise
+  int neighborCount = 0;         ///< used by the local fits; 0 if a search radius was given
   double searchRadius = 0.0;     ///< length; > 0 replaces neighborCount
   double kernelWidth = 0.0;      ///< h of (2) and (6), length; 0 = from the sampling
   double linkDistance =
@@ -87,7 +87,7 @@ struct LevelSets
   std::vector<int> componentCounts;  ///< per iso-value: the evolution of the level sets (sec. 4.3)
   std::vector<LevelSetCurve> curves; ///< by iso-value, then by component
   std::vector<LevelSetSample> samples; ///< by iso-value
-  int neighborCount = 0;               ///< used by the local fits
+  int neighborCount = 0;               ///< used by the local fits; 0 if a search radius was given
 };
 
 /**

@@ -74,13 +74,13 @@ bool LocalFit::compute(
 {
   this->center_ = center;
   this->scale_ = radius;
-  this->degree_ = degree;
+  this->degree_ = std::clamp(degree, 1, MaximumDegree);
   this->frame_ = tangentFrame(center, samples);
   if (!this->frame_.allFinite())
   {
     return false;
   }
-  switch (degree)
+  switch (this->degree_)
   {
     case 1:
       return this->solve<1>(samples);

@@ -26,7 +26,23 @@ struct SortedPoints
   std::vector<Index> inputOfPoint;
 };
 
-/// The center of the bounding box. @throws InvalidInput if a coordinate is not finite
+/// The median of values that are spread over all, which is as good as that of all and quicker.
+template <class ValueAt>
+double medianOf(std::size_t count, const ValueAt& valueAt)
+{
+  const std::size_t stride = std::max<std::size_t>(1, count / MedianSamples);
+  std::vector<double> some;
+  for (std::size_t i = stride / 2; i < count; i += stride)
+  {
+    some.push_back(valueAt(i));
+  }
+  const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+  std::nth_element(some.begin(), middle, some.end());
+  return *middle;
+}
+
+/// The center of the bounding box, which does not depend on the order of the points. @throws
+/// InvalidInput if a coordinate is not finite
 Vector3d boxCenter(const PointsRef& input, const Execution& execution)
 {
   const auto count = static_cast<std::size_t>(input.cols());
@@ -235,16 +251,7 @@ void NeighborGraph::Implementation::measureSteps(const Execution& execution)
         this->steps[i] = this->samplingStep(static_cast<Index>(i));
       }
     });
-  // Of points spread over all, which is as good and quicker.
-  const std::size_t stride = std::max<std::size_t>(1, this->steps.size() / MedianSamples);
-  std::vector<double> ordered;
-  for (std::size_t i = stride / 2; i < this->steps.size(); i += stride)
-  {
-    ordered.push_back(this->steps[i]);
-  }
-  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
-  std::nth_element(ordered.begin(), middle, ordered.end());
-  this->medianStep = *middle;
+  this->medianStep = medianOf(this->steps.size(), [this](std::size_t i) { return this->steps[i]; });
 }
 
 NeighborGraph::NeighborGraph(
@@ -332,8 +339,9 @@ Values NeighborGraph::average(const ValuesRef& values) const
 
 void NeighborGraph::nearest(const Vector3d& place, int count, Neighborhood& result) const
 {
+  const auto wanted = static_cast<std::size_t>(std::max(1, count));
   this->implementation_->tree.nearest(
-    place, std::min<std::size_t>(static_cast<std::size_t>(count), this->pointCount()), result);
+    place, std::min<std::size_t>(wanted, this->pointCount()), result);
 }
 
 void NeighborGraph::within(const Vector3d& place, double radius, Neighborhood& result) const
