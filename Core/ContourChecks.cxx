@@ -37,7 +37,9 @@ void checkParameters(
   const auto finite = [](double value) { return std::isfinite(value); };
   require(std::all_of(parameters.isoValues.begin(), parameters.isoValues.end(), finite),
     "finite iso-values", "NaN or infinity", "Remove it from the list.");
-  require(values.size() == graph.pointCount() && values.allFinite(), "one finite value per point",
+  require(
+    values.allFinite(), "finite values", "NaN or infinity", "Leave points without a value out.");
+  require(values.size() == graph.pointCount(), "one value per point",
     std::to_string(values.size()) + " values for " + std::to_string(graph.pointCount()) + " points",
     "Leave points without a value out.");
   require(
@@ -67,22 +69,26 @@ void checkParameters(
 }
 
 /// The samples must spread over a surface: on a line they determine neither normals nor curves.
+/// Told by the directions to neighbors, not by the shape of the whole, which one stray point can
+/// stretch.
 void checkSpread(const NeighborGraph& graph)
 {
-  const Points& points = graph.points();
-  const Vector3d mean = points.rowwise().mean();
-  const double size = points.cwiseAbs().maxCoeff();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  const Index stride = std::max<Index>(1, graph.pointCount() / 10000);
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  for (Index i = 0; i < graph.pointCount(); i += stride)
   {
-    const Vector3d offset = (points.col(i) - mean) / size;
-    covariance += offset * offset.transpose();
+    for (const Index neighbor : graph.neighbors(i))
+    {
+      const Vector3d direction =
+        (graph.points().col(neighbor) - graph.points().col(i)).stableNormalized();
+      directions += direction * direction.transpose();
+    }
   }
-  const Vector3d variances =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly)
+  const Vector3d spread =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(directions, Eigen::EigenvaluesOnly)
       .eigenvalues();
-  require(variances[1] > 1e-13 * variances[2], "points spread over a surface",
-    std::to_string(points.cols()) + " points on one line", "Choose another input.");
+  require(spread[1] > 1e-13 * spread[2], "points spread over a surface",
+    std::to_string(graph.pointCount()) + " points on one line", "Choose another input.");
 }
 
 } // namespace

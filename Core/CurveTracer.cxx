@@ -233,12 +233,7 @@ TracedCurve Tracer::trace(const Station& start)
   const Ending beginning = this->extend(backward, false);
   if (!beginning)
   {
-    TracedCurve curve = loop(backward);
-    for (LevelSetPoint& point : curve.points)
-    {
-      point.normal = -point.normal; // they were kept on the other side of the direction
-    }
-    return curve;
+    return loop(backward);
   }
   TracedCurve curve = joinWays(forward, backward);
   curve.start = *beginning;

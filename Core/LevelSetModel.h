@@ -61,11 +61,8 @@ public:
   /// Infinite where F is critical.
   Vector3d firstOrderStep(double level) const;
 
-  const Neighborhood& neighborhood() const
-  {
-    return this->neighborhood_;
-  } ///< last one gathered, around gatherPlace()
-  const Vector3d& gatherPlace() const { return this->gatherPlace_; }
+  /// The samples around the center, or a few more.
+  const Neighborhood& neighborhood() const { return this->neighborhood_; }
 
 protected:
   Neighborhood neighborhood_;

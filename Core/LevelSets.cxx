@@ -12,7 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <memory>
+#include <optional>
 
 namespace SurfaceScalars
 {

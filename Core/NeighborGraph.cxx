@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -211,8 +213,10 @@ void NeighborGraph::Implementation::linkWithin(const Execution& execution)
       {
         this->tree.within(
           this->sorted.points.col(static_cast<Eigen::Index>(i)), this->query.radius, found);
-        block.insert(block.end(), found.indices.begin() + 1, found.indices.end());
-        this->offsets[i + 1] = found.indices.size() - 1;
+        const std::size_t before = block.size();
+        std::copy_if(found.indices.begin(), found.indices.end(), std::back_inserter(block),
+          [i](Index other) { return other != i; });
+        this->offsets[i + 1] = block.size() - before;
       }
     });
   for (std::size_t i = 0; i < points; ++i)
@@ -261,6 +265,11 @@ NeighborGraph::NeighborGraph(
   if (points.cols() < 2)
   {
     throw InvalidInput("at least 2 points", std::to_string(points.cols()), remedy);
+  }
+  if (points.cols() > std::numeric_limits<int>::max())
+  {
+    throw InvalidInput(
+      "at most 2147483647 points", std::to_string(points.cols()), "Thin them out.");
   }
   this->implementation_ = std::make_unique<Implementation>(points, query, execution);
   this->implementation_->measureSteps(execution);

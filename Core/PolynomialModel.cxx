@@ -126,7 +126,9 @@ bool PolynomialModel::fit(const Vector3d& place, int count, int degree)
   if (this->reach * this->reach > this->samples_.weights.maxCoeff() &&
     gathered < this->function_.graph.pointCount())
   {
-    this->function_.graph.within(place, this->reach, this->neighborhood_);
+    // No more than that: near a stray point the radius may be that of everything.
+    this->function_.graph.nearest(place, LargestEnlargement * count, this->neighborhood_);
+    this->reach = std::min(this->reach, std::sqrt(this->neighborhood_.squaredDistances.back()));
     this->copySamples();
     this->samples_.weights =
       (this->samples_.points.colwise() - place).colwise().squaredNorm().transpose();

@@ -45,8 +45,8 @@
  *
  * @warning Iso-values outside the range of f give no curve and no error.
  *
- * @warning Where there is no sample within LinkDistance the surface ends for this filter, and
- * curves end with it.
+ * @warning At a hole wider than LinkDistance (0: wider than the gaps of random sampling) and at the
+ * edge of the samples curves end, about one sampling step beyond the last sample.
  *
  * @sa vtkPointSetScalarFunction vtkContourFilter vtkCutter
  */
