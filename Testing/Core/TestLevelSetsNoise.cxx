@@ -3,6 +3,8 @@
 #include "Tracing.h"
 #include "TruthRun.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -80,6 +82,38 @@ TEST(LevelSetsNoise, tooFewNeighborsDoNotRunAway)
       }
     }
   }
+}
+
+// However noise turns and joins curves, along most of each closed one larger values lie to the
+// left.
+TEST(LevelSetsNoise, leavesLargerValuesToTheLeft)
+{
+  const SpaceFunction function = tiltedHeight();
+  const Points exact = randomTorus(8000, Torus::Closed, 3);
+  Values values = valuesOf(function, exact);
+  Points points = exact;
+  addNoise(points, 0.01, 4);
+  ContourParameters parameters = at({});
+  for (int i = 1; i < 80; ++i)
+  {
+    parameters.isoValues.push_back(-1.0 + 0.025 * i);
+  }
+  parameters.neighborCount = 20; // too few for the noise: curves break, wind and are joined
+  const Traced traced = trace(points, values, parameters);
+  int closed = 0;
+  for (const LevelSetCurve& curve : traced.levelSets.curves)
+  {
+    double left = 0.0;
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+    {
+      const LevelSetPoint& here = curve.points[i];
+      const Vector3d chord = curve.points[(i + 1) % curve.points.size()].position - here.position;
+      left += here.normal.cross(chord).dot(function.gradient(here.position));
+    }
+    closed += curve.closed ? 1 : 0;
+    EXPECT_TRUE(!curve.closed || left > 0.0) << curve.level << ", " << curve.component;
+  }
+  EXPECT_GT(closed, 50);
 }
 
 } // namespace
