@@ -2,6 +2,7 @@
 # Runs a command with a virtual display of its own, and ends the display with it.
 #
 # usage: Utilities/with-display.sh COMMAND [ARGUMENT...]
+# SURFACE_SCALARS_SCREEN in the environment: size and depth, such as 1400x900x24
 #
 # The X server chooses a free display number itself: unlike with xvfb-run -a, two commands that start at the same moment
 # never get the same one.
@@ -13,7 +14,7 @@ scratch=$(mktemp -d)
 server=
 trap '[ -z "$server" ] || kill "$server" 2>/dev/null || true; rm -rf "$scratch"' EXIT
 
-Xvfb -displayfd 3 -screen 0 1600x1200x24 -nolisten tcp -noreset 3>"$scratch/number" 2>"$scratch/messages" &
+Xvfb -displayfd 3 -screen 0 "${SURFACE_SCALARS_SCREEN:-1600x1200x24}" -nolisten tcp -noreset 3>"$scratch/number" 2>"$scratch/messages" &
 server=$!
 for ((tenths = 0; tenths < 300; ++tenths)); do
   [ ! -s "$scratch/number" ] || break
