@@ -1,5 +1,7 @@
 #include "LevelSetWalker.h"
 
+#include "Quantile.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -26,14 +28,6 @@ constexpr double QuantileToMean = 1.08; // of the steps of random samples with 1
 constexpr double OutlierFraction = 0.02;
 constexpr double SaddleDistance = 2.5;    // more than a step: it must not be stepped over
 constexpr double CriticalFraction = 1e-6; // of f's range, between a level and a saddle's value
-
-double quantile(std::vector<double>& values, double fraction)
-{
-  const auto element =
-    values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), element, values.end());
-  return *element;
-}
 
 } // namespace
 

@@ -8,6 +8,7 @@
 #include "NeighborhoodSize.h"
 #include "Orientation.h"
 #include "Polyline.h"
+#include "Quantile.h"
 #include "SampleThreading.h"
 
 #include <algorithm>
@@ -29,28 +30,14 @@ struct Scaling
   double halfRange;
 
   explicit Scaling(const ValuesRef& values)
-    : middle(typical(values))
+    : middle(medianOfSome(static_cast<std::size_t>(values.size()),
+        [&](std::size_t i) { return values[static_cast<Eigen::Index>(i)]; }))
     , halfRange(0.5 * values.maxCoeff() - 0.5 * values.minCoeff())
   {
   }
   double operator()(double value) const
   {
     return (0.5 * value - 0.5 * this->middle) / this->halfRange;
-  }
-
-private:
-  /// The median of values spread over all.
-  static double typical(const ValuesRef& values)
-  {
-    const Eigen::Index stride = std::max<Eigen::Index>(1, values.size() / 10000);
-    std::vector<double> some;
-    for (Eigen::Index i = stride / 2; i < values.size(); i += stride)
-    {
-      some.push_back(values[i]);
-    }
-    const auto median = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-    std::nth_element(some.begin(), median, some.end());
-    return *median;
   }
 };
 

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "MortonOrder.h"
 #include "PointTree.h"
+#include "Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr std::size_t MedianSamples = 10000;
 constexpr std::size_t Grain = 1024; // points per block of a parallel loop
 
 /// The points in Morton order without duplicates, and the way there from the caller's order.
@@ -27,21 +27,6 @@ struct SortedPoints
   std::vector<Index> pointOfInput;
   std::vector<Index> inputOfPoint;
 };
-
-/// The median of values that are spread over all, which is as good as that of all and quicker.
-template <class ValueAt>
-double medianOf(std::size_t count, const ValueAt& valueAt)
-{
-  const std::size_t stride = std::max<std::size_t>(1, count / MedianSamples);
-  std::vector<double> some;
-  for (std::size_t i = stride / 2; i < count; i += stride)
-  {
-    some.push_back(valueAt(i));
-  }
-  const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-  std::nth_element(some.begin(), middle, some.end());
-  return *middle;
-}
 
 /// The center of the bounding box, which does not depend on the order of the points. @throws
 /// InvalidInput if a coordinate is not finite
@@ -255,7 +240,8 @@ void NeighborGraph::Implementation::measureSteps(const Execution& execution)
         this->steps[i] = this->samplingStep(static_cast<Index>(i));
       }
     });
-  this->medianStep = medianOf(this->steps.size(), [this](std::size_t i) { return this->steps[i]; });
+  this->medianStep =
+    medianOfSome(this->steps.size(), [this](std::size_t i) { return this->steps[i]; });
 }
 
 NeighborGraph::NeighborGraph(

@@ -1,5 +1,7 @@
 #include "NeighborhoodSize.h"
 
+#include "Quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -26,13 +28,6 @@ struct Misfit
   double squaredHeightDeviation;
   double squaredWidth; ///< of the neighborhood
 };
-
-double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Fits at the samples themselves; the weights are those of the polynomial model.
 bool fitAt(const SampledFunction& function, Index point, int count, int degree, LocalFit& fit,
@@ -80,10 +75,11 @@ Misfit measure(const SampledFunction& function, int count, int degree, const Exe
         gradients[i] = fitted ? fit.gradient(Vector2d::Zero()).norm() : 0.0;
       }
     });
-  const double height = median(heights);
-  const double width = median(widths);
-  const double gradient = median(gradients);
-  const double value = gradient > 0.0 && !function.volumeFunction ? median(values) / gradient : 0.0;
+  const double height = quantile(heights, 0.5);
+  const double width = quantile(widths, 0.5);
+  const double gradient = quantile(gradients, 0.5);
+  const double value =
+    gradient > 0.0 && !function.volumeFunction ? quantile(values, 0.5) / gradient : 0.0;
   // A function that is mostly flat has no position to be wrong about.
   const double along = std::min(value, width);
   return { count, height * height + along * along, height * height, width * width };
