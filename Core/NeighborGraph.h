@@ -1,10 +1,9 @@
 #pragma once
 
-#include "Basics.h"
-#include "Execution.h"
+#include "PointCloud.h"
 #include "SurfaceScalarsCoreExport.h"
 
-#include <memory>
+#include <cstddef>
 #include <vector>
 
 namespace SurfaceScalars
@@ -15,13 +14,6 @@ struct NeighborQuery
 {
   int count = 16;      ///< k, the point itself not counted
   double radius = 0.0; ///< sigma, length units; > 0 replaces count
-};
-
-/// Points found around a place, nearest first.
-struct Neighborhood
-{
-  std::vector<Index> indices;
-  std::vector<double> squaredDistances;
 };
 
 /// The stored neighbors of a point: a view into the graph, nearest first.
@@ -38,29 +30,18 @@ struct Neighbors
  * The neighbor graph T of a point set: the domain on which every point-set algorithm works
  * (point-set paper, sec. 2.1).
  *
- * Points are centered, exact duplicates become one point, and the rest is sorted along a Morton
- * curve so that neighbors lie close in memory. Every index below is in that order; pointOfInput()
- * and inputOfPoint() lead there and back.
- *
  * An edge (i, j) exists if i is among the neighbors of j or j among those of i.
  *
- * Time O(n log n); memory 4 (k + 2) bytes per point beside the points and the search tree. Results
- * do not depend on the number of threads.
+ * Time O(n log n); memory 4 (k + 2) bytes per point beside the cloud. Results do not depend on the
+ * number of threads.
  */
-class SURFACESCALARSCORE_EXPORT NeighborGraph
+class SURFACESCALARSCORE_EXPORT NeighborGraph : public PointCloud
 {
 public:
   /// @param points 3 x n, finite, length units
   /// @throws InvalidInput if fewer than two points are distinct; Aborted
   NeighborGraph(
     const PointsRef& points, const NeighborQuery& query, const Execution& execution = {});
-  ~NeighborGraph();
-  NeighborGraph(NeighborGraph&&) noexcept;
-  NeighborGraph& operator=(NeighborGraph&&) noexcept;
-
-  Index pointCount() const;       ///< distinct points
-  const Points& points() const;   ///< relative to origin()
-  const Vector3d& origin() const; ///< center of the input's bounding box
 
   Neighbors neighbors(Index point) const;
   bool isEdge(Index from, Index to) const; ///< whether `to` is stored as neighbor of `from`
@@ -68,22 +49,19 @@ public:
   double samplingStep(Index point) const; ///< 1 / sqrt(density), density = k / (pi sigma_k^2)
   double medianSamplingStep() const;      ///< the paper's epsilon, as a length
 
-  Index pointOfInput(std::size_t input) const;
-  std::size_t inputOfPoint(Index point) const; ///< the first of its duplicates
-  std::size_t inputCount() const;
-
-  /// @param values one per input point @returns one per point of the graph: the mean over its
-  /// duplicates
-  Values average(const ValuesRef& values) const;
-
-  /// The `count` points nearest to `place` (relative to origin()), at most all.
-  void nearest(const Vector3d& place, int count, Neighborhood& result) const;
-  /// All points closer to `place` than `radius`.
-  void within(const Vector3d& place, double radius, Neighborhood& result) const;
-
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::size_t begin(Index point) const;
+  void linkNearest(const Execution& execution);
+  void linkWithin(const Execution& execution);
+  double measureStep(Index point) const;
+  void measureSteps(const Execution& execution);
+
+  NeighborQuery query_;
+  std::size_t count_ = 0;            ///< neighbors of each point if query_.radius is 0
+  std::vector<std::size_t> offsets_; ///< CSR row starts; empty if every point has count_ neighbors
+  std::vector<Index> indices_;
+  std::vector<double> steps_; ///< sampling steps
+  double medianStep_ = 0.0;
 };
 
 } // namespace SurfaceScalars

@@ -2,7 +2,7 @@
 
 #include "Basics.h"
 #include "Execution.h"
-#include "NeighborGraph.h"
+#include "PointCloud.h"
 
 #include <memory>
 #include <vector>
