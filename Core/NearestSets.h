@@ -14,15 +14,14 @@ namespace SurfaceScalars
 
 constexpr double Unbounded = std::numeric_limits<double>::max();
 
-/// nanoflann's result set for the k nearest, which may start with a bound on the largest distance.
+/// The k nearest, kept in order.
 class BoundedNearest
 {
 public:
-  BoundedNearest(Index* indices, double* distances, std::size_t capacity, double bound)
+  BoundedNearest(Index* indices, double* distances, std::size_t capacity)
     : indices_(indices)
     , distances_(distances)
     , capacity_(capacity)
-    , worst_(bound)
   {
   }
 
@@ -46,7 +45,7 @@ public:
     this->indices_[i] = index;
     if (this->full())
     {
-      this->worst_ = std::min(this->worst_, this->distances_[this->capacity_ - 1]);
+      this->worst_ = this->distances_[this->capacity_ - 1];
     }
     return true;
   }
@@ -56,7 +55,7 @@ private:
   double* distances_;
   std::size_t capacity_;
   std::size_t count_ = 0;
-  double worst_;
+  double worst_ = Unbounded;
 };
 
 /// The same for large k: collects twice as many and drops the farther half, which costs less than
@@ -106,6 +105,33 @@ private:
   std::vector<Found>& buffer_;
   std::size_t count_;
   double worst_ = Unbounded;
+};
+
+/// All that are closer than a radius, in no order, until there are too many.
+class Gathered
+{
+public:
+  Gathered(std::vector<Index>& indices, double squaredRadius, std::size_t most)
+    : indices_(indices)
+    , squaredRadius_(squaredRadius)
+    , most_(most)
+  {
+  }
+
+  std::size_t size() const { return this->indices_.size(); }
+  bool full() const { return this->size() > this->most_; }
+  double worstDist() const { return this->squaredRadius_; }
+
+  bool addPoint(double /*distance*/, Index index)
+  {
+    this->indices_.push_back(index);
+    return !this->full();
+  }
+
+private:
+  std::vector<Index>& indices_;
+  double squaredRadius_;
+  std::size_t most_;
 };
 
 /// Hands what a part finds on, with the indices of the whole.

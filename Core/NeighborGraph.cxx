@@ -1,6 +1,7 @@
 #include "NeighborGraph.h"
 
 #include "Error.h"
+#include "NeighborSearch.h"
 #include "PointTree.h"
 #include "Quantile.h"
 
@@ -63,12 +64,9 @@ void NeighborGraph::linkNearest(const Execution& execution)
   parallelFor(points, Grain, execution,
     [this](std::size_t begin, std::size_t end)
     {
-      NearestSearch search(this->tree(), this->count_ + 1);
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Index* nearest = search.around(this->points().col(static_cast<Eigen::Index>(i)));
-        std::copy(nearest + 1, nearest + 1 + this->count_, &this->indices_[i * this->count_]);
-      }
+      NeighborSearch search(this->points(), this->tree(), this->count_);
+      search.find(
+        static_cast<Index>(begin), static_cast<Index>(end), &this->indices_[begin * this->count_]);
     });
 }
 

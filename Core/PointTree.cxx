@@ -5,7 +5,6 @@
 #include <nanoflann.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace SurfaceScalars
 {
@@ -159,7 +158,7 @@ void PointTree::nearest(const Vector3d& place, std::size_t count, Neighborhood& 
     }
     return;
   }
-  BoundedNearest found(result.indices.data(), result.squaredDistances.data(), count, Unbounded);
+  BoundedNearest found(result.indices.data(), result.squaredDistances.data(), count);
   this->tree_->search(place, found);
 }
 
@@ -178,24 +177,12 @@ void PointTree::within(const Vector3d& place, double radius, Neighborhood& resul
   }
 }
 
-NearestSearch::NearestSearch(const PointTree& tree, std::size_t count)
-  : tree_(tree)
-  , indices_(count)
-  , squaredDistances_(count, Unbounded)
+bool PointTree::gather(
+  const Vector3d& place, double radius, std::size_t most, std::vector<Index>& result) const
 {
-}
-
-const Index* NearestSearch::around(const Vector3d& place)
-{
-  // The points around the last place are within the last radius and the distance between the
-  // places; a little more for rounding.
-  const double radius = std::sqrt(this->squaredDistances_.back()) + (place - this->last_).norm();
-  const double bound = std::min(Unbounded, radius * radius * (1.0 + 1e-12));
-  BoundedNearest found(
-    this->indices_.data(), this->squaredDistances_.data(), this->indices_.size(), bound);
-  this->tree_.tree_->search(place, found);
-  this->last_ = place;
-  return this->indices_.data();
+  Gathered found(result, radius * radius, most);
+  this->tree_->search(place, found);
+  return result.size() <= most;
 }
 
 } // namespace SurfaceScalars

@@ -22,28 +22,14 @@ public:
   void nearest(const Vector3d& place, std::size_t count, Neighborhood& result) const;
   /// The points closer than `radius`, nearest first.
   void within(const Vector3d& place, double radius, Neighborhood& result) const;
+  /// Appends the points closer than `radius`, in no order. @returns false if there are more than
+  /// `most`
+  bool gather(
+    const Vector3d& place, double radius, std::size_t most, std::vector<Index>& result) const;
 
 private:
-  friend class NearestSearch;
   struct Tree;
   std::unique_ptr<Tree> tree_;
-};
-
-/// A run of nearest searches at places that lie close to each other: each starts with a bound from
-/// the one before.
-class NearestSearch
-{
-public:
-  NearestSearch(const PointTree& tree, std::size_t count);
-
-  /// @returns `count` points, nearest first, valid until the next call
-  const Index* around(const Vector3d& place);
-
-private:
-  const PointTree& tree_;
-  std::vector<Index> indices_;
-  std::vector<double> squaredDistances_;
-  Vector3d last_ = Vector3d::Zero();
 };
 
 } // namespace SurfaceScalars
