@@ -54,10 +54,10 @@ public:
   /// All points closer to `place` than `radius`, nearest first.
   void within(const Vector3d& place, double radius, Neighborhood& result) const;
 
-protected:
+private:
+  friend class NearestSearch;
   const PointTree& tree() const;
 
-private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

@@ -1,4 +1,5 @@
 #include "LevelSetModel.h"
+#include "NearestSearch.h"
 
 #include <Eigen/LU>
 
@@ -18,6 +19,12 @@ constexpr int LargestEnlargement = 8; // of a neighborhood that does not determi
 constexpr double LargestVoid = 0.5;   // distance to the nearest sample, in neighborhood radii
 constexpr double VoidWidening = 2.0;  // of the neighborhood beyond that
 
+/// More samples than count, so that places nearby need no search.
+int enoughFor(int count)
+{
+  return count + count / 8 + 4;
+}
+
 class PolynomialModel : public LevelSetModel
 {
 public:
@@ -25,6 +32,9 @@ public:
     : function_(function)
     , size_(size)
     , degree_(degree)
+    , search_(function.graph,
+        std::min<std::size_t>(
+          static_cast<std::size_t>(enoughFor(size.count)), function.graph.pointCount()))
   {
   }
 
@@ -44,6 +54,7 @@ private:
   const SampledFunction& function_;
   FitSize size_;
   int degree_;
+  NearestSearch search_;
   LocalFit fit_;
   WeightedSamples samples_;
   bool centered_ = false;
@@ -53,12 +64,11 @@ private:
     0.0; // how far from gatherPlace_ the samples gathered are still all that count
 };
 
-/// Fetches more samples than count, so that places nearby need no search.
 void PolynomialModel::gather(const Vector3d& place, int count)
 {
   this->gatherPlace_ = place;
   this->gatheredCount_ = count;
-  const int enough = count + count / 8 + 4;
+  const int enough = enoughFor(count);
   if (this->size_.radius > 0.0)
   {
     this->function_.graph.within(place, 1.1 * this->size_.radius, this->neighborhood_);
@@ -67,7 +77,14 @@ void PolynomialModel::gather(const Vector3d& place, int count)
   if (!(this->size_.radius > 0.0) ||
     this->neighborhood_.indices.size() < static_cast<std::size_t>(enough))
   {
-    this->function_.graph.nearest(place, enough, this->neighborhood_);
+    if (count == this->size_.count)
+    {
+      this->search_.follow(place, this->neighborhood_);
+    }
+    else
+    {
+      this->function_.graph.nearest(place, enough, this->neighborhood_);
+    }
     const auto& squared = this->neighborhood_.squaredDistances;
     const std::size_t last = std::min(squared.size(), static_cast<std::size_t>(count)) - 1;
     this->gatherMargin_ = 0.5 * (std::sqrt(squared.back()) - std::sqrt(squared[last]));
