@@ -16,6 +16,9 @@ namespace
 // only.
 constexpr double SingularFraction = 1e-9;
 
+constexpr int Lanes = 8; // samples that are computed with side by side
+using Lane = Eigen::Array<double, Lanes, 1>;
+
 /// Index of the first monomial of a degree; monomial k of degree d is x^(d-k) y^k.
 constexpr int firstTerm(int degree)
 {
@@ -37,34 +40,51 @@ inline void monomials(int degree, double x, double y, double* terms)
   }
 }
 
-/// Tangent axes and normal of weighted points, as columns.
-Eigen::Matrix3d tangentFrame(const Vector3d& center, const WeightedSamples& samples)
+/// The matrix of the sums of products of two terms, of which few are different.
+template <int Degree>
+auto arrange(const double* products)
 {
-  double weight = 0.0;
-  Vector3d mean = Vector3d::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (Eigen::Index i = 0; i < samples.weights.size(); ++i)
+  constexpr int Terms = LocalFit::termCount(Degree);
+  Eigen::Matrix<double, Terms, Terms> matrix;
+  for (int d = 0; d <= Degree; ++d)
   {
-    const double w = samples.weights[i];
-    if (w <= 0.0)
+    for (int k = 0; k <= d; ++k)
     {
-      continue;
+      for (int e = 0; e <= Degree; ++e)
+      {
+        for (int l = 0; l <= e; ++l)
+        {
+          matrix(firstTerm(d) + k, firstTerm(e) + l) = products[firstTerm(d + e) + k + l];
+        }
+      }
     }
-    const Vector3d offset = samples.points.col(i) - center;
-    weight += w;
-    mean += w * offset;
-    moments.noalias() += (w * offset) * offset.transpose();
   }
-  mean /= weight;
-  const Eigen::Matrix3d covariance = moments / weight - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  axes.computeDirect(covariance);
+  return matrix;
+}
 
-  Eigen::Matrix3d frame;
-  const Vector3d normal = axes.eigenvectors().col(0).normalized();
-  const Vector3d u = normal.unitOrthogonal();
-  frame << u, normal.cross(u), normal;
-  return frame;
+/// Solves L L^T x = b for both right sides at once.
+template <class Matrix, class Sides>
+void solveTriangles(const Matrix& lower, Sides& sides)
+{
+  constexpr int Terms = Matrix::RowsAtCompileTime;
+  double inverse[Terms];
+  for (int i = 0; i < Terms; ++i)
+  {
+    inverse[i] = 1.0 / lower(i, i);
+    for (int j = 0; j < i; ++j)
+    {
+      sides.row(i) -= lower(i, j) * sides.row(j);
+    }
+    sides.row(i) *= inverse[i];
+  }
+  for (int i = Terms - 1; i >= 0; --i)
+  {
+    for (int j = i + 1; j < Terms; ++j)
+    {
+      sides.row(i) -= lower(j, i) * sides.row(j);
+    }
+    sides.row(i) *= inverse[i];
+  }
 }
 
 } // namespace
@@ -75,7 +95,8 @@ bool LocalFit::compute(
   this->center_ = center;
   this->scale_ = radius;
   this->degree_ = std::clamp(degree, 1, MaximumDegree);
-  this->frame_ = tangentFrame(center, samples);
+  this->collect(samples);
+  this->findFrame();
   if (!this->frame_.allFinite())
   {
     return false;
@@ -83,44 +104,114 @@ bool LocalFit::compute(
   switch (this->degree_)
   {
     case 1:
-      return this->solve<1>(samples);
+      return this->solve<1>();
     case 2:
-      return this->solve<2>(samples);
+      return this->solve<2>();
     case 3:
-      return this->solve<3>(samples);
+      return this->solve<3>();
     default:
-      return this->solve<4>(samples);
+      return this->solve<4>();
   }
 }
 
+void LocalFit::collect(const WeightedSamples& samples)
+{
+  const Eigen::Index most = samples.weights.size();
+  if (this->weights_.size() < most + Lanes)
+  {
+    this->offsets_.resize(most + Lanes, 3);
+    this->weights_.resize(most + Lanes);
+    this->values_.resize(most + Lanes);
+  }
+  this->collected_ = 0;
+  for (Eigen::Index i = 0; i < most; ++i)
+  {
+    this->offsets_.row(this->collected_) = (samples.points.col(i) - this->center_).transpose();
+    this->weights_[this->collected_] = samples.weights[i];
+    this->values_[this->collected_] = samples.values[i];
+    this->collected_ += samples.weights[i] > 0.0 ? 1 : 0;
+  }
+  this->offsets_.middleRows<Lanes>(this->collected_).setZero();
+  this->weights_.segment<Lanes>(this->collected_).setZero();
+  this->values_.segment<Lanes>(this->collected_).setZero();
+}
+
+/// Tangent axes and normal of the weighted samples.
+void LocalFit::findFrame()
+{
+  double weight = 0.0;
+  Vector3d mean = Vector3d::Zero();
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (Eigen::Index begin = 0; begin < this->collected_; begin += Lanes)
+  {
+    const Lane weights = this->weights_.segment<Lanes>(begin);
+    weight += weights.sum();
+    for (int i = 0; i < 3; ++i)
+    {
+      const Lane weighted = weights * this->offsets_.col(i).segment<Lanes>(begin);
+      mean[i] += weighted.sum();
+      for (int j = 0; j <= i; ++j)
+      {
+        moments(i, j) += (weighted * this->offsets_.col(j).segment<Lanes>(begin)).sum();
+      }
+    }
+  }
+  mean /= weight;
+  const Eigen::Matrix3d covariance =
+    Eigen::Matrix3d(moments.selfadjointView<Eigen::Lower>()) / weight - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(covariance);
+
+  const Vector3d normal = axes.eigenvectors().col(0).normalized();
+  const Vector3d u = normal.unitOrthogonal();
+  this->frame_ << u, normal.cross(u), normal;
+}
+
 template <int Degree>
-bool LocalFit::solve(const WeightedSamples& samples)
+bool LocalFit::solve()
 {
   constexpr int Terms = termCount(Degree);
-  Eigen::Matrix<double, Terms, Terms> normalMatrix = decltype(normalMatrix)::Zero();
-  Eigen::Matrix<double, Terms, 2> rightSides = decltype(rightSides)::Zero();
-  Eigen::Matrix<double, Terms, 1> terms;
-  const Eigen::Matrix3d toLocal = this->frame_.transpose() / this->scale_;
-  int used = 0;
-  for (Eigen::Index i = 0; i < samples.weights.size(); ++i)
-  {
-    const double weight = samples.weights[i];
-    if (weight <= 0.0)
-    {
-      continue;
-    }
-    ++used;
-    const Vector3d local = toLocal * (samples.points.col(i) - this->center_);
-    monomials(Degree, local.x(), local.y(), terms.data());
-    const Eigen::Matrix<double, Terms, 1> weighted = weight * terms;
-    normalMatrix.noalias() += weighted * terms.transpose();
-    rightSides.col(0) += local.z() * weighted;
-    rightSides.col(1) += samples.values[i] * weighted;
-  }
-  if (used < Terms)
+  if (this->collected_ < Terms)
   {
     return false;
   }
+  constexpr int Products = termCount(2 * Degree); // of two terms
+  double products[Products] = {};
+  Eigen::Matrix<double, Terms, 2, Eigen::RowMajor> sides = decltype(sides)::Zero();
+  const Eigen::Matrix3d toLocal = this->frame_.transpose() / this->scale_;
+  for (Eigen::Index begin = 0; begin < this->collected_; begin += Lanes)
+  {
+    const auto offsets = this->offsets_.middleRows<Lanes>(begin);
+    const auto local = [&](int axis) -> Lane
+    {
+      return toLocal(axis, 0) * offsets.col(0) + toLocal(axis, 1) * offsets.col(1) +
+        toLocal(axis, 2) * offsets.col(2);
+    };
+    const Lane u = local(0);
+    const Lane v = local(1);
+    const Lane heights = local(2);
+    const Lane values = this->values_.segment<Lanes>(begin);
+    Lane terms[Products]; // weighted
+    terms[0] = this->weights_.segment<Lanes>(begin);
+    for (int d = 1; d <= 2 * Degree; ++d)
+    {
+      for (int k = 0; k < d; ++k)
+      {
+        terms[firstTerm(d) + k] = u * terms[firstTerm(d - 1) + k];
+      }
+      terms[firstTerm(d) + d] = v * terms[firstTerm(d) - 1];
+    }
+    for (int term = 0; term < Products; ++term)
+    {
+      products[term] += terms[term].sum();
+    }
+    for (int term = 0; term < Terms; ++term)
+    {
+      sides(term, 0) += (terms[term] * heights).sum();
+      sides(term, 1) += (terms[term] * values).sum();
+    }
+  }
+  const Eigen::Matrix<double, Terms, Terms> normalMatrix = arrange<Degree>(products);
   const Eigen::LLT<Eigen::Matrix<double, Terms, Terms>> factor(normalMatrix);
   if (factor.info() != Eigen::Success)
   {
@@ -131,11 +222,8 @@ bool LocalFit::solve(const WeightedSamples& samples)
   {
     return false;
   }
-  for (int side = 0; side < 2;
-       ++side) // one at a time: Eigen's matrix kernels are slow for sizes like these
-  {
-    this->coefficients_.col(side).template head<Terms>() = factor.solve(rightSides.col(side));
-  }
+  solveTriangles(factor.matrixLLT(), sides);
+  this->coefficients_.template topRows<Terms>() = sides;
   this->coefficients_.col(0) *= this->scale_;
   return this->coefficients_.template topRows<Terms>().allFinite();
 }
@@ -167,19 +255,20 @@ LocalFit::Slope LocalFit::slope(int which, const Vector2d& uv) const
 {
   double terms[MaximumTerms];
   monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
-  const auto c = this->coefficients_.col(which);
+  const double* c = this->coefficients_.col(which).data();
   Slope slope{ c[0], Vector2d::Zero() };
   for (int d = 1; d <= this->degree_; ++d)
   {
-    // x^(d-y) y^y derives to terms of degree d - 1.
+    const double* coefficients = c + firstTerm(d);
     const double* current = terms + firstTerm(d);
     const double* lower = terms + firstTerm(d - 1);
-    for (int y = 0; y <= d; ++y)
+    slope.value += coefficients[d] * current[d];
+    for (int y = 0; y < d; ++y)
     {
-      const double coefficient = c[firstTerm(d) + y];
-      slope.value += coefficient * current[y];
-      slope.gradient.x() += y < d ? coefficient * (d - y) * lower[y] : 0.0;
-      slope.gradient.y() += y > 0 ? coefficient * y * lower[y - 1] : 0.0;
+      slope.value += coefficients[y] * current[y];
+      // x^(d-y) y^y derives to terms of degree d - 1.
+      slope.gradient.x() += coefficients[y] * (d - y) * lower[y];
+      slope.gradient.y() += coefficients[y + 1] * (y + 1) * lower[y];
     }
   }
   slope.gradient /= this->scale_;

@@ -84,14 +84,23 @@ private:
   Slope slope(int which, const Vector2d& uv) const;
   Jet jet(int which, const Vector2d& uv) const;
   double deviation(int which, const WeightedSamples& samples) const;
+  void collect(const WeightedSamples& samples);
+  void findFrame();
   template <int Degree>
-  bool solve(const WeightedSamples& samples);
+  bool solve();
 
   Vector3d center_ = Vector3d::Zero();
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   double scale_ = 1.0;
   int degree_ = 0;
   Eigen::Matrix<double, MaximumTerms, 2> coefficients_; ///< of height and f in (u, v) / scale
+
+  // The samples with a weight, side by side for vector instructions and filled up with others that
+  // weigh nothing; kept to save allocations.
+  Eigen::Index collected_ = 0;
+  Eigen::ArrayX3d offsets_; ///< from the center
+  Eigen::ArrayXd weights_;
+  Eigen::ArrayXd values_;
 };
 
 } // namespace SurfaceScalars

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace SurfaceScalars
 {
@@ -115,9 +116,10 @@ double PolynomialModel::radiusAround(const Vector3d& place, int count)
   Values& squared = this->samples_.weights;
   squared = (this->samples_.points.colwise() - place).colwise().squaredNorm().transpose();
   this->scratch_.assign(squared.data(), squared.data() + squared.size());
-  const auto first = this->scratch_.begin();
-  const auto last = first + std::min<Eigen::Index>(count, squared.size()) - 1;
-  std::nth_element(first, last, this->scratch_.end());
+  // Few samples lie beyond, mostly the last: a heap of these costs less than std::nth_element.
+  const auto farthest = this->scratch_.rbegin();
+  const auto last = farthest + (squared.size() - std::min<Eigen::Index>(count, squared.size()));
+  std::partial_sort(farthest, last + 1, this->scratch_.rend(), std::greater<>());
   const double radius = std::max(std::sqrt(*last), this->size_.radius);
   const double nearest = std::sqrt(squared.minCoeff()) / radius;
   return radius * (1.0 + VoidWidening * std::max(0.0, nearest - LargestVoid));
