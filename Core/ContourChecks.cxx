@@ -73,7 +73,7 @@ void checkParameters(
 /// stretch.
 void checkSpread(const NeighborGraph& graph)
 {
-  const Index stride = std::max<Index>(1, graph.pointCount() / 10000);
+  const Index stride = std::max<Index>(1, graph.pointCount() / 1000);
   Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
   for (Index i = 0; i < graph.pointCount(); i += stride)
   {

@@ -59,6 +59,10 @@ public:
       lowest = std::min(lowest, this->ranks_[*neighbor]);
       highest = std::max(highest, this->ranks_[*neighbor]);
     }
+    if (lowest == highest)
+    {
+      return; // most points
+    }
     this->closest_.assign(highest - lowest, Closest());
     for (const Index* neighbor = neighbors.begin(); neighbor < last; ++neighbor)
     {

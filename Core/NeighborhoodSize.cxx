@@ -104,14 +104,14 @@ int chooseNeighborCount(const SampledFunction& function, int degree, const Execu
     }
     noise = std::min(noise, misfit.squaredDeviation);
     misfits.push_back(misfit);
+    if (misfits.front().squaredDeviation < negligible)
+    {
+      return misfits.front().count;
+    }
     if (misfit.squaredDeviation > 4.0 * noise)
     {
       break; // bias has taken over
     }
-  }
-  if (!misfits.empty() && misfits.front().squaredDeviation < negligible)
-  {
-    return misfits.front().count;
   }
   const auto error = [&](const Misfit& misfit)
   { return noise * VarianceShare / misfit.count + BiasShare * (misfit.squaredDeviation - noise); };

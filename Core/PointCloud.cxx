@@ -187,6 +187,12 @@ std::size_t PointCloud::inputCount() const
 
 Values PointCloud::average(const ValuesRef& values) const
 {
+  if (this->inputCount() == this->pointCount())
+  {
+    const auto& inputs = this->implementation_->sorted.inputOfPoint;
+    return Values::NullaryExpr(this->pointCount(),
+      [&](Eigen::Index i) { return values[inputs[static_cast<std::size_t>(i)]]; });
+  }
   Values result = Values::Zero(this->pointCount());
   Eigen::VectorXi weights = Eigen::VectorXi::Zero(this->pointCount());
   for (std::size_t i = 0; i < this->inputCount(); ++i)

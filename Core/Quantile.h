@@ -13,6 +13,10 @@ inline double quantile(std::vector<double>& values, double fraction)
 {
   const auto element =
     values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
+  if (element == values.begin())
+  {
+    return *std::min_element(values.begin(), values.end()); // std::nth_element would sort as usual
+  }
   std::nth_element(values.begin(), element, values.end());
   return *element;
 }
