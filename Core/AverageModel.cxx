@@ -1,6 +1,5 @@
+#include "AverageSurface.h"
 #include "LevelSetModel.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -24,14 +23,20 @@ public:
 
   bool center(const Vector3d& place) override;
   std::optional<Vector3d> solve(double level, const Vector3d& start) const override;
+  const std::vector<Index>& samples() const override { return this->neighborhood_.indices; }
 
 private:
   void gather(const Vector3d& place);
-  bool evaluateSurface(double weight, const Vector3d& mean, const Eigen::Matrix3d& moments);
+  bool evaluateSurface();
 
   const SampledFunction& function_;
   FitSize size_;
   double fixedWidth_;
+  Neighborhood neighborhood_;
+  Vector3d gatherPlace_ = Vector3d::Zero();
+  SampleRows points_; // of the neighborhood
+  Values values_;
+  GaussianAverage average_;
   double width_ = 0.0; // h; fixed while a place is projected: F would jump with it
   Vector3d place_ = Vector3d::Zero();
 };
@@ -48,6 +53,18 @@ void AverageModel::gather(const Vector3d& place)
   this->width_ = this->fixedWidth_ > 0.0 ? this->fixedWidth_ : sigma / std::sqrt(3.0);
   this->reach = sigma;
   this->function_.graph.within(place, Support * this->width_, this->neighborhood_);
+  const auto count = static_cast<Eigen::Index>(this->neighborhood_.indices.size());
+  this->points_.resize(count, 3);
+  this->values_.resize(this->function_.volumeFunction ? 0 : count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const Index sample = this->neighborhood_.indices[static_cast<std::size_t>(i)];
+    this->points_.row(i) = this->function_.graph.points().col(sample);
+    if (!this->function_.volumeFunction)
+    {
+      this->values_[i] = this->function_.values[sample];
+    }
+  }
 }
 
 bool AverageModel::center(const Vector3d& place)
@@ -61,76 +78,34 @@ bool AverageModel::center(const Vector3d& place)
     this->gather(place);
   }
   this->place_ = place;
-  const double inverse = 1.0 / (this->width_ * this->width_);
-  double weight = 0.0;
-  double valueSum = 0.0;
-  Vector3d offsets = Vector3d::Zero();
-  Vector3d valueOffsets = Vector3d::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Index i : this->neighborhood_.indices)
-  {
-    const Vector3d offset = this->function_.graph.points().col(i) - place;
-    const double w = std::exp(-offset.squaredNorm() * inverse);
-    weight += w;
-    offsets += w * offset;
-    moments += (w * offset) * offset.transpose();
-    if (!this->function_.volumeFunction)
-    {
-      valueSum += w * this->function_.values[i];
-      valueOffsets += (w * this->function_.values[i]) * offset;
-    }
-  }
-  if (!(weight > 0.0))
+  if (this->points_.rows() == 0)
   {
     return false;
   }
+  this->average_.weigh(this->points_, place, this->width_);
   if (this->function_.volumeFunction)
   {
     this->value = this->function_.volumeFunction(place, &this->valueGradient);
   }
   else
   {
-    // (6) and, with offsets p_i - p, (7).
-    this->value = valueSum / weight;
-    this->valueGradient = 2.0 * inverse * (valueOffsets - this->value * offsets) / weight;
+    const FieldJet average = this->average_.jet(this->values_, Derivatives::Gradient);
+    this->value = average.value;
+    this->valueGradient = average.gradient;
   }
-  return this->evaluateSurface(weight, offsets / weight, moments) && std::isfinite(this->value);
+  return this->evaluateSurface() && std::isfinite(this->value);
 }
 
-/// (2) with its exact gradient: n turns with the place, so that the gradient is not n itself.
-bool AverageModel::evaluateSurface(
-  double weight, const Vector3d& mean, const Eigen::Matrix3d& moments)
+bool AverageModel::evaluateSurface()
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  axes.computeDirect(moments);
-  const Vector3d normal = axes.eigenvectors().col(0);
-  const Vector3d& eigenvalues = axes.eigenvalues();
-  if (!normal.allFinite() || !(eigenvalues[1] > 1e-9 * eigenvalues[2]))
+  const std::optional<SurfaceNormal> normal = surfaceNormal(this->average_);
+  if (!normal)
   {
     return false; // the samples lie on a line
   }
-  const double inverse = 1.0 / (this->width_ * this->width_);
-  // Derivatives by the place of the weighted mean, times n, and of the moments, times n.
-  Vector3d meanAlongNormal = Vector3d::Zero();
-  Eigen::Matrix3d momentsNormal = Eigen::Matrix3d::Zero();
-  for (const Index i : this->neighborhood_.indices)
-  {
-    const Vector3d offset = this->function_.graph.points().col(i) - this->place_;
-    const double w = std::exp(-offset.squaredNorm() * inverse);
-    const double height = offset.dot(normal);
-    meanAlongNormal += (w * height) * offset;
-    momentsNormal += (2.0 * inverse * w * height) * offset * offset.transpose() -
-      (w * height) * Eigen::Matrix3d::Identity() - (w * offset) * normal.transpose();
-  }
-  this->distance = -mean.dot(normal);
-  this->distanceGradient =
-    normal - 2.0 * inverse * (meanAlongNormal / weight - mean * mean.dot(normal));
-  for (int axis = 1; axis < 3; ++axis)
-  {
-    const Vector3d tangent = axes.eigenvectors().col(axis);
-    const double turn = tangent.dot(-mean) / (eigenvalues[0] - eigenvalues[axis]);
-    this->distanceGradient += turn * (momentsNormal.transpose() * tangent);
-  }
+  const FieldJet g = averageDistance(this->average_, *normal);
+  this->distance = g.value;
+  this->distanceGradient = g.gradient;
   return this->distanceGradient.allFinite() && this->valueGradient.allFinite();
 }
 
@@ -138,20 +113,15 @@ std::optional<Vector3d> AverageModel::solve(double level, const Vector3d& start)
 {
   // One Gauss-Newton step: the model is only known to first order away from its center.
   const Vector3d predicted = start - this->place_;
-  Eigen::Matrix<double, 2, 3> jacobian;
-  jacobian << this->valueGradient.transpose(), this->distanceGradient.transpose();
-  const Eigen::Matrix2d gram = jacobian * jacobian.transpose();
-  if (!(gram.determinant() > 1e-14 * gram(0, 0) * gram(1, 1)))
+  const Vector2d missing(level - this->value - this->valueGradient.dot(predicted),
+    -this->distance - this->distanceGradient.dot(predicted));
+  const std::optional<Vector3d> step =
+    leastNormStep(this->valueGradient, this->distanceGradient, missing);
+  if (!step || !(step->norm() <= 0.5 * this->reach))
   {
     return {};
   }
-  const Vector2d missing = Vector2d(level - this->value, -this->distance) - jacobian * predicted;
-  const Vector3d step = jacobian.transpose() * (gram.inverse() * missing);
-  if (!(step.norm() <= 0.5 * this->reach))
-  {
-    return {};
-  }
-  return start + step;
+  return start + *step;
 }
 
 } // namespace

@@ -1,27 +1,20 @@
 #include "ContourChecks.h"
 
-#include "EdgeSampler.h"
 #include "Error.h"
 #include "LocalFit.h"
+#include "NumberText.h"
+#include "SchemeModels.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace SurfaceScalars
 {
 namespace
 {
-
-std::string textOf(double number)
-{
-  std::ostringstream text; // std::to_string would show 1e-9 as 0
-  text << number;
-  return text.str();
-}
 
 void require(bool condition, const char* expected, const std::string& found, const char* remedy)
 {
@@ -46,6 +39,12 @@ void checkParameters(
     parameters.polynomialDegree >= 1 && parameters.polynomialDegree <= LocalFit::MaximumDegree,
     "a polynomial degree from 1 to 4", std::to_string(parameters.polynomialDegree),
     "Choose 2 if in doubt.");
+  require(parameters.scheme != Scheme::GlobalRBF,
+    "one of the schemes Linear, ExplicitMLS, ParameterizedMLS, LocalRBF and Hybrid", "GlobalRBF",
+    "Choose LocalRBF, or extend f to other points first.");
+  require(!usesKernel(parameters) || parameters.kernel != KernelType::Harmonic,
+    "a kernel that is finite at its center", nameOf(parameters.kernel),
+    "Choose Cubic if in doubt.");
   const int terms = LocalFit::termCount(polynomialDegree(parameters));
   const int fewest = terms + 1; // the point in the middle, and the sample at the rim weighs nothing
   require(static_cast<int>(graph.pointCount()) >= fewest,

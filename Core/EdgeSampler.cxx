@@ -1,23 +1,12 @@
 #include "EdgeSampler.h"
 
+#include "SchemeModels.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace SurfaceScalars
 {
-
-int polynomialDegree(const ContourParameters& parameters)
-{
-  return parameters.scheme == Scheme::ParameterizedMLS ? parameters.polynomialDegree : 2;
-}
-
-std::unique_ptr<LevelSetModel> makeModel(
-  const SampledFunction& function, const FitSize& size, const ContourParameters& parameters)
-{
-  return parameters.scheme == Scheme::ExplicitMLS
-    ? makeAverageModel(function, size, parameters.kernelWidth)
-    : makePolynomialModel(function, size, polynomialDegree(parameters));
-}
 
 EdgeSampler::EdgeSampler(const SampledFunction& function, const FitSize& size,
   const ContourParameters& parameters, const TracingLimits& limits)

@@ -9,15 +9,6 @@
 namespace SurfaceScalars
 {
 
-/// Of the local fits: a scheme without polynomials of its own still sizes neighborhoods and follows
-/// curves with degree 2.
-int polynomialDegree(const ContourParameters& parameters);
-
-/// The model that a scheme traces with. Linear has none of its own: its curves follow the
-/// polynomial model's.
-std::unique_ptr<LevelSetModel> makeModel(
-  const SampledFunction& function, const FitSize& size, const ContourParameters& parameters);
-
 /// Turns crossings into samples of a level set as scheme and surface model want it (sec. 4.1).
 class EdgeSampler
 {

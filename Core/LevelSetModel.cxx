@@ -28,15 +28,25 @@ Vector3d LevelSetModel::tangent() const
 
 Vector3d LevelSetModel::firstOrderStep(double level) const
 {
+  const double slope = this->valueGradient.norm();
+  const std::optional<Vector3d> step = slope * this->reach > FlatFraction * std::abs(this->value)
+    ? leastNormStep(
+        this->valueGradient, this->distanceGradient, Vector2d(level - this->value, -this->distance))
+    : std::nullopt;
+  return step.value_or(Vector3d::Constant(std::numeric_limits<double>::infinity()));
+}
+
+std::optional<Vector3d> LevelSetModel::leastNormStep(
+  const Vector3d& valueGradient, const Vector3d& distanceGradient, const Vector2d& missing)
+{
   Eigen::Matrix<double, 2, 3> jacobian;
-  jacobian << this->valueGradient.transpose(), this->distanceGradient.transpose();
+  jacobian << valueGradient.transpose(), distanceGradient.transpose();
   const Eigen::Matrix2d gram = jacobian * jacobian.transpose();
-  const bool flat = !(std::sqrt(gram(0, 0)) * this->reach > FlatFraction * std::abs(this->value));
-  if (flat || !(gram.determinant() > 1e-14 * gram(0, 0) * gram(1, 1)))
+  if (!(gram.determinant() > 1e-14 * gram(0, 0) * gram(1, 1)))
   {
-    return Vector3d::Constant(std::numeric_limits<double>::infinity());
+    return {};
   }
-  return jacobian.transpose() * (gram.inverse() * Vector2d(level - this->value, -this->distance));
+  return jacobian.transpose() * (gram.inverse() * missing);
 }
 
 } // namespace SurfaceScalars

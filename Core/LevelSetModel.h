@@ -1,10 +1,12 @@
 #pragma once
 
+#include "FieldApproximation.h"
 #include "LevelSets.h"
-#include "LocalFit.h"
+#include "PolynomialNeighborhood.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace SurfaceScalars
 {
@@ -16,6 +18,8 @@ struct SampledFunction
   const NeighborGraph& graph;
   Values values;
   VolumeFunction volumeFunction; ///< scaled too, of places relative to graph.origin(); may be empty
+  Points normals;                ///< oriented; only for SurfaceModel::RBF
+  std::vector<char> missed;      ///< only for Scheme::Hybrid: see makeHybrid()
 };
 
 /// A saddle of the local model.
@@ -62,18 +66,13 @@ public:
   Vector3d firstOrderStep(double level) const;
 
   /// The samples around the center, or a few more.
-  const Neighborhood& neighborhood() const { return this->neighborhood_; }
+  virtual const std::vector<Index>& samples() const = 0;
 
 protected:
-  Neighborhood neighborhood_;
-  Vector3d gatherPlace_ = Vector3d::Zero();
-};
-
-/// Which samples a model uses.
-struct FitSize
-{
-  int count;     ///< k
-  double radius; ///< > 0 replaces count
+  /// The shortest step that changes F and g to first order by what is missing; none where their
+  /// gradients are parallel or zero.
+  static std::optional<Vector3d> leastNormStep(
+    const Vector3d& valueGradient, const Vector3d& distanceGradient, const Vector2d& missing);
 };
 
 /// Parameterised MLS: polynomials for surface and f over the tangent plane, (4)(5); f may be a
@@ -84,5 +83,9 @@ std::unique_ptr<LevelSetModel> makePolynomialModel(
 /// Explicit MLS: the average (6) for F and (2) for g; `kernelWidth` 0 = sigma / sqrt(3).
 std::unique_ptr<LevelSetModel> makeAverageModel(
   const SampledFunction& function, const FitSize& size, double kernelWidth);
+
+/// Any F and any g (see ImplicitSurface.h). `size` is that of g's neighborhoods.
+std::unique_ptr<LevelSetModel> makeImplicitModel(const NeighborGraph& graph, const FitSize& size,
+  std::unique_ptr<FieldApproximation> function, std::unique_ptr<FieldApproximation> surface);
 
 } // namespace SurfaceScalars

@@ -45,7 +45,7 @@ LevelSetWalker::LevelSetWalker(
 double LevelSetWalker::stepAround()
 {
   this->scratch_.clear();
-  for (const Index i : this->model_.neighborhood().indices)
+  for (const Index i : this->model_.samples())
   {
     this->scratch_.push_back(this->function_.graph.samplingStep(i));
   }
@@ -56,12 +56,12 @@ double LevelSetWalker::stepAround()
 /// surface.
 void LevelSetWalker::measureSupport(Station& station)
 {
-  const Neighborhood& around = this->model_.neighborhood();
+  const std::vector<Index>& around = this->model_.samples();
   const auto offsetOf = [&](Index i) -> Vector3d
   { return this->function_.graph.points().col(i) - station.point.position; };
   Vector3d mean = Vector3d::Zero();
   double nearest = INFINITY;
-  for (const Index i : around.indices)
+  for (const Index i : around)
   {
     const Vector3d offset = offsetOf(i);
     mean += offset;
@@ -73,7 +73,7 @@ void LevelSetWalker::measureSupport(Station& station)
   const Vector3d& normal = station.point.normal;
   const Vector3d inwards = (mean - normal * normal.dot(mean)).normalized();
   this->scratch_.clear();
-  for (const Index i : around.indices)
+  for (const Index i : around)
   {
     this->scratch_.push_back(inwards.dot(offsetOf(i)));
   }

@@ -10,6 +10,7 @@
 #include "Polyline.h"
 #include "Quantile.h"
 #include "SampleThreading.h"
+#include "SchemeModels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ LevelSetTracing::LevelSetTracing(const NeighborGraph& graph, const ValuesRef& va
   const Scaling& scaling, const ContourParameters& parameters, const Execution& execution)
   : parameters_(parameters)
   , execution_(execution)
-  , function_{ graph, values.unaryExpr(scaling), {} }
+  , function_{ graph, values.unaryExpr(scaling), {}, {}, {} }
 {
   if (parameters.volumeFunction)
   {
@@ -106,8 +107,9 @@ void LevelSetTracing::chooseFitSize()
   {
     this->fitSize_.count = this->fitSize_.radius > 0.0
       ? LocalFit::termCount(polynomialDegree(this->parameters_)) + 1
-      : chooseNeighborCount(
-          this->function_, polynomialDegree(this->parameters_), this->execution_.part(0.0, 0.1));
+      : chooseNeighborCount(graph,
+          this->function_.volumeFunction ? Values() : this->function_.values,
+          polynomialDegree(this->parameters_), this->execution_.part(0.0, 0.1));
   }
   this->fitSize_.count = std::min(this->fitSize_.count, static_cast<int>(graph.pointCount()));
   const double steps = this->fitSize_.radius / graph.medianSamplingStep();
@@ -133,8 +135,8 @@ TracingLimits LevelSetTracing::tracingLimits() const
 std::vector<LevelCrossings> LevelSetTracing::findSpacedCrossings() const
 {
   std::vector<LevelCrossings> crossings =
-    findCrossings(this->function_, this->levels_, this->execution_.part(0.1, 0.15));
-  parallelForEach(crossings.size(), this->execution_.part(0.15, 0.2),
+    findCrossings(this->function_, this->levels_, this->execution_.part(0.2, 0.25));
+  parallelForEach(crossings.size(), this->execution_.part(0.25, 0.3),
     [&](std::size_t level, const Poll& poll) {
       crossings[level] = thinned(crossings[level], this->function_.graph, this->widening_, poll);
     });
@@ -152,7 +154,7 @@ void LevelSetTracing::sampleLevels(const std::vector<LevelCrossings>& crossings)
     ends.push_back(count += ofLevel.size());
   }
   std::vector<std::optional<LevelSetPoint>> found(count);
-  parallelForEach((count + SamplesPerBlock - 1) / SamplesPerBlock, this->execution_.part(0.2, 0.6),
+  parallelForEach((count + SamplesPerBlock - 1) / SamplesPerBlock, this->execution_.part(0.3, 0.6),
     [&](std::size_t block, const Poll& poll)
     {
       EdgeSampler sampler(
@@ -249,6 +251,8 @@ LevelSets LevelSetTracing::run(std::vector<double> levels)
 {
   this->levels_ = std::move(levels);
   this->chooseFitSize();
+  prepareModels(
+    this->function_, this->fitSize_, this->parameters_, this->execution_.part(0.1, 0.2));
   this->sampleLevels(this->findSpacedCrossings());
   this->traceLevels();
   LevelSets result;

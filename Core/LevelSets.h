@@ -2,7 +2,9 @@
 
 #include "Basics.h"
 #include "Execution.h"
+#include "FieldApproximation.h"
 #include "NeighborGraph.h"
+#include "RadialKernel.h"
 #include "SurfaceScalarsCoreExport.h"
 
 #include <functional>
@@ -11,18 +13,11 @@
 namespace SurfaceScalars
 {
 
-/// How f is extended off its samples; the numbers are those of the public interface.
-enum class Scheme
-{
-  Linear = 0,          ///< linear along the edges of the neighbor graph
-  ExplicitMLS = 1,     ///< weighted average, (6)
-  ParameterizedMLS = 2 ///< polynomial over the tangent plane, (4)(5)
-};
-
 /// What the samples of a level set are put on.
 enum class SurfaceModel
 {
   MLS = 0,        ///< the moving least-squares surface
+  RBF = 1,        ///< the zero set of local sums of radial functions
   Unprojected = 2 ///< nothing: they stay on the edges of the neighbor graph
 };
 
@@ -45,7 +40,8 @@ struct ContourParameters
   int polynomialDegree = 2;      ///< 1 to 4
   int neighborCount = 0;         ///< used by the local fits; 0 if a search radius was given
   double searchRadius = 0.0;     ///< length; > 0 replaces neighborCount
-  double kernelWidth = 0.0;      ///< h of (2) and (6), length; 0 = from the sampling
+  KernelType kernel = KernelType::Cubic; ///< of LocalRBF, Hybrid and SurfaceModel::RBF
+  double kernelWidth = 0.0; ///< h of (2) and (6) and of the kernel, length; 0 = from the sampling
   double linkDistance =
     0.0; ///< widest hole bridged, in sampling steps; 0 = the widest gap of random sampling
   double tolerance = 1e-7;    ///< of the projection onto the level set, in sampling steps

@@ -124,11 +124,13 @@ void LocalFit::collect(const WeightedSamples& samples)
     this->values_.resize(most + Lanes);
   }
   this->collected_ = 0;
+  // Values are taken relative to one of them, which keeps the digits of small differences.
+  this->valueOrigin_ = most > 0 ? samples.values[0] : 0.0;
   for (Eigen::Index i = 0; i < most; ++i)
   {
     this->offsets_.row(this->collected_) = (samples.points.col(i) - this->center_).transpose();
     this->weights_[this->collected_] = samples.weights[i];
-    this->values_[this->collected_] = samples.values[i];
+    this->values_[this->collected_] = samples.values[i] - this->valueOrigin_;
     this->collected_ += samples.weights[i] > 0.0 ? 1 : 0;
   }
   this->offsets_.middleRows<Lanes>(this->collected_).setZero();
@@ -225,6 +227,7 @@ bool LocalFit::solve()
   solveTriangles(factor.matrixLLT(), sides);
   this->coefficients_.template topRows<Terms>() = sides;
   this->coefficients_.col(0) *= this->scale_;
+  this->coefficients_(0, 1) += this->valueOrigin_;
   return this->coefficients_.template topRows<Terms>().allFinite();
 }
 

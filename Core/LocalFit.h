@@ -100,7 +100,8 @@ private:
   Eigen::Index collected_ = 0;
   Eigen::ArrayX3d offsets_; ///< from the center
   Eigen::ArrayXd weights_;
-  Eigen::ArrayXd values_;
+  Eigen::ArrayXd values_; ///< less valueOrigin_
+  double valueOrigin_ = 0.0;
 };
 
 } // namespace SurfaceScalars

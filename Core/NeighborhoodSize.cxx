@@ -1,5 +1,6 @@
 #include "NeighborhoodSize.h"
 
+#include "LocalFit.h"
 #include "Quantile.h"
 
 #include <algorithm>
@@ -20,6 +21,12 @@ constexpr double VarianceShare =
 constexpr double BiasShare =
   0.1; // of the misfit in the bias at the center, squared: odd terms cancel there
 
+/// Spread evenly over the points.
+Index siteOf(std::size_t site, std::size_t sites, std::size_t points)
+{
+  return static_cast<Index>((2 * site + 1) * points / (2 * sites));
+}
+
 /// What fits of one size leave over, medians over the sites. Lengths.
 struct Misfit
 {
@@ -30,12 +37,12 @@ struct Misfit
 };
 
 /// Fits at the samples themselves; the weights are those of the polynomial model.
-bool fitAt(const SampledFunction& function, Index point, int count, int degree, LocalFit& fit,
-  WeightedSamples& samples, double& width)
+bool fitAt(const PointCloud& cloud, const Values& values, Index point, int count, int degree,
+  LocalFit& fit, WeightedSamples& samples, double& width)
 {
   Neighborhood near;
-  const Vector3d center = function.graph.points().col(point);
-  function.graph.nearest(center, count, near);
+  const Vector3d center = cloud.points().col(point);
+  cloud.nearest(center, count, near);
   const auto found = static_cast<Eigen::Index>(near.indices.size());
   samples.points.resize(3, found);
   samples.values = Values::Zero(found);
@@ -45,22 +52,23 @@ bool fitAt(const SampledFunction& function, Index point, int count, int degree, 
   {
     const auto k = static_cast<std::size_t>(i);
     const double w = 1.0 - near.squaredDistances[k] / squaredWidth;
-    samples.points.col(i) = function.graph.points().col(near.indices[k]);
+    samples.points.col(i) = cloud.points().col(near.indices[k]);
     samples.weights[i] = w * w;
-    if (function.values.size() > 0)
+    if (values.size() > 0)
     {
-      samples.values[i] = function.values[near.indices[k]];
+      samples.values[i] = values[near.indices[k]];
     }
   }
   width = std::sqrt(squaredWidth);
   return fit.compute(center, samples, width, degree);
 }
 
-Misfit measure(const SampledFunction& function, int count, int degree, const Execution& execution)
+Misfit measure(
+  const PointCloud& cloud, const Values& values, int count, int degree, const Execution& execution)
 {
-  const std::size_t points = function.graph.pointCount();
+  const std::size_t points = cloud.pointCount();
   const std::size_t sites = std::min(Sites, points);
-  std::vector<double> heights(sites), values(sites), gradients(sites), widths(sites);
+  std::vector<double> heights(sites), deviations(sites), gradients(sites), widths(sites);
   parallelFor(sites, 8, { execution.threadCount, {} },
     [&](std::size_t begin, std::size_t end)
     {
@@ -68,36 +76,53 @@ Misfit measure(const SampledFunction& function, int count, int degree, const Exe
       WeightedSamples samples;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto point = static_cast<Index>((2 * i + 1) * points / (2 * sites));
-        const bool fitted = fitAt(function, point, count, degree, fit, samples, widths[i]);
+        const bool fitted =
+          fitAt(cloud, values, siteOf(i, sites, points), count, degree, fit, samples, widths[i]);
         heights[i] = fitted ? fit.heightDeviation(samples) : 0.0;
-        values[i] = fitted ? fit.valueDeviation(samples) : 0.0;
+        deviations[i] = fitted ? fit.valueDeviation(samples) : 0.0;
         gradients[i] = fitted ? fit.gradient(Vector2d::Zero()).norm() : 0.0;
       }
     });
   const double height = quantile(heights, 0.5);
   const double width = quantile(widths, 0.5);
   const double gradient = quantile(gradients, 0.5);
-  const double value =
-    gradient > 0.0 && !function.volumeFunction ? quantile(values, 0.5) / gradient : 0.0;
+  const double value = gradient > 0.0 ? quantile(deviations, 0.5) / gradient : 0.0;
   // A function that is mostly flat has no position to be wrong about.
   const double along = std::min(value, width);
   return { count, height * height + along * along, height * height, width * width };
 }
 
+/// The median over the sites, with the neighbors that a graph has.
+double typicalSamplingStep(const PointCloud& cloud)
+{
+  constexpr int Neighbors = 16;
+  const std::size_t points = cloud.pointCount();
+  const int count = std::clamp(static_cast<int>(points) - 1, 1, Neighbors);
+  const std::size_t sites = std::min(Sites, points);
+  std::vector<double> steps(sites);
+  Neighborhood near;
+  for (std::size_t i = 0; i < sites; ++i)
+  {
+    cloud.nearest(cloud.points().col(siteOf(i, sites, points)), count + 1, near);
+    steps[i] = std::sqrt(near.squaredDistances.back() * Pi / count);
+  }
+  return quantile(steps, 0.5);
+}
+
 } // namespace
 
-int chooseNeighborCount(const SampledFunction& function, int degree, const Execution& execution)
+int chooseNeighborCount(
+  const PointCloud& cloud, const Values& values, int degree, const Execution& execution)
 {
   const int usual = UsualNeighborCount * LocalFit::termCount(degree) / LocalFit::termCount(2);
-  const int points = static_cast<int>(function.graph.pointCount());
+  const int points = static_cast<int>(cloud.pointCount());
   std::vector<Misfit> misfits;
   double noise = INFINITY;
-  const double negligible = std::pow(NegligibleMisfit * function.graph.medianSamplingStep(), 2);
+  const double negligible = std::pow(NegligibleMisfit * typicalSamplingStep(cloud), 2);
   for (int count = usual; count <= LargestCount && count <= points / 4; count += count / 2)
   {
     execution.report(static_cast<double>(count) / LargestCount);
-    const Misfit misfit = measure(function, count, degree, execution);
+    const Misfit misfit = measure(cloud, values, count, degree, execution);
     if (misfit.squaredWidth < WidthToNoise * WidthToNoise * misfit.squaredHeightDeviation)
     {
       continue;

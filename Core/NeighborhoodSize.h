@@ -1,6 +1,6 @@
 #pragma once
 
-#include "LevelSetModel.h"
+#include "PointCloud.h"
 
 namespace SurfaceScalars
 {
@@ -14,7 +14,10 @@ constexpr int UsualNeighborCount = 28;
  * the samples. The noise is what the best fit leaves over; its share in the error falls as 1/k;
  * what larger neighborhoods leave over in addition is their bias. Neighborhoods less than three
  * times as wide as the noise is thick say nothing about the surface and are not considered.
+ *
+ * @param values f at the points of the cloud, or empty: then only the surface is looked at
  */
-int chooseNeighborCount(const SampledFunction& function, int degree, const Execution& execution);
+int chooseNeighborCount(
+  const PointCloud& cloud, const Values& values, int degree, const Execution& execution);
 
 } // namespace SurfaceScalars

@@ -14,16 +14,21 @@ namespace SurfaceScalars
  * from the center, or, where it is nearly at right angles to that, with its largest component
  * positive (terrain: upwards).
  */
-inline bool isOutwards(const LevelSetPoint& point)
+inline bool isOutwards(const Vector3d& position, const Vector3d& normal)
 {
-  const double outwards = point.normal.dot(point.position);
-  if (std::abs(outwards) > 0.1 * point.position.norm())
+  const double outwards = normal.dot(position);
+  if (std::abs(outwards) > 0.1 * position.norm())
   {
     return outwards > 0.0;
   }
   Eigen::Index largest = 0;
-  point.normal.cwiseAbs().maxCoeff(&largest);
-  return point.normal[largest] > 0.0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  return normal[largest] > 0.0;
+}
+
+inline bool isOutwards(const LevelSetPoint& point)
+{
+  return isOutwards(point.position, point.normal);
 }
 
 inline void orientOutwards(LevelSetPoint& point)
@@ -38,7 +43,8 @@ inline void orientOutwards(LevelSetPoint& point)
 /// stay to the left.
 inline void orientOutwards(std::vector<LevelSetPoint>& curve)
 {
-  const auto outwards = std::count_if(curve.begin(), curve.end(), isOutwards);
+  const auto outwards = std::count_if(
+    curve.begin(), curve.end(), [](const LevelSetPoint& point) { return isOutwards(point); });
   if (2 * static_cast<std::size_t>(outwards) < curve.size())
   {
     std::reverse(curve.begin(), curve.end());

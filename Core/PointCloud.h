@@ -54,10 +54,9 @@ public:
   /// All points closer to `place` than `radius`, nearest first.
   void within(const Vector3d& place, double radius, Neighborhood& result) const;
 
-private:
-  friend class NearestSearch;
-  const PointTree& tree() const;
+  const PointTree& tree() const; ///< for searches that keep their buffers
 
+private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

@@ -159,7 +159,11 @@ void printSchemes()
       Choice{ "ExplicitMLS (the paper's)", "MLS", Scheme::ExplicitMLS, SurfaceModel::MLS },
       Choice{ "ParameterizedMLS (default)", "Unprojected", Scheme::ParameterizedMLS,
         SurfaceModel::Unprojected },
-      Choice{ "ParameterizedMLS (default)", "MLS", Scheme::ParameterizedMLS, SurfaceModel::MLS } })
+      Choice{ "ParameterizedMLS (default)", "MLS", Scheme::ParameterizedMLS, SurfaceModel::MLS },
+      Choice{ "ParameterizedMLS", "RBF", Scheme::ParameterizedMLS, SurfaceModel::RBF },
+      Choice{ "LocalRBF", "MLS", Scheme::LocalRBF, SurfaceModel::MLS },
+      Choice{ "LocalRBF", "RBF", Scheme::LocalRBF, SurfaceModel::RBF },
+      Choice{ "Hybrid", "MLS", Scheme::Hybrid, SurfaceModel::MLS } })
   {
     for (const int pointCount : { 5000, 20000, 100000 })
     {

@@ -1,0 +1,8 @@
+#include "FieldApproximation.h"
+
+namespace SurfaceScalars
+{
+
+FieldApproximation::~FieldApproximation() = default;
+
+} // namespace SurfaceScalars

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "Field.h"
+
+namespace SurfaceScalars
+{
+
+/// What Field::fit() does not work on, but for what depends on the cloud. @throws InvalidInput
+void checkFieldParameters(const FieldParameters& parameters);
+void checkFieldValues(const ValuesRef& values, std::size_t pointCount);
+
+/// Whether there are samples enough, and spread enough, for the scheme. @throws InvalidInput
+void checkFieldSamples(const PointCloud& cloud, const FieldParameters& parameters);
+
+/// @throws InvalidInput unless the numbers of a model fit together
+void checkFieldModel(const FieldModel& model);
+
+void checkEvaluation(const EvaluationParameters& parameters);
+
+} // namespace SurfaceScalars

@@ -1,0 +1,185 @@
+#include "Error.h"
+#include "FieldTruth.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+using Truth::FieldInput;
+using Truth::parametersOf;
+
+/// What is said about an input that is refused.
+std::string refusal(const std::function<void()>& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string refusal(const FieldInput& input, const FieldParameters& parameters)
+{
+  return refusal(
+    [&]()
+    {
+      const Field field = Field::fit(input.points, input.values, parameters);
+      field.evaluate(input.points, {});
+    });
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// One sample says that f is constant; polynomials over a tangent plane need more.
+TEST(FieldInput, oneSampleIsAConstant)
+{
+  const FieldInput one{ Vector3d(1.0, 2.0, 3.0), Values::Constant(1, 4.5) };
+  const Points targets = Truth::randomPlaces(10, 5.0, 1);
+  for (const Scheme scheme : { Scheme::ExplicitMLS, Scheme::LocalRBF, Scheme::Hybrid })
+  {
+    const Field field = Field::fit(one.points, one.values, parametersOf(scheme));
+    const FieldValues values = field.evaluate(targets, Truth::withHessian());
+    EXPECT_EQ(values.values, Values::Constant(10, 4.5));
+    EXPECT_TRUE(values.gradients.isZero(0.0));
+    EXPECT_TRUE(values.hessians.isZero(0.0));
+    EXPECT_EQ(field.evaluate(one.points, {}).values[0], 4.5);
+  }
+  EXPECT_TRUE(contains(refusal(one, parametersOf(Scheme::ParameterizedMLS)),
+    "needs at least 7 different points with a value to fit polynomials of degree 2, found 1"));
+}
+
+// Samples on a line determine no plane, but sums of radial functions: linear functions along it
+// are reproduced, and do not change across it.
+TEST(FieldInput, collinearSamples)
+{
+  FieldInput line{ Points(3, 50), Values(50) };
+  const Vector3d along = Vector3d(1.0, 2.0, -1.0).normalized();
+  for (Eigen::Index i = 0; i < 50; ++i)
+  {
+    line.points.col(i) = 0.1 * static_cast<double>(i) * along;
+    line.values[i] = 3.0 + 0.2 * static_cast<double>(i);
+  }
+  const Field field = Field::fit(line.points, line.values, {});
+  const Vector3d place = 2.345 * along + 0.1 * along.unitOrthogonal();
+  EvaluationParameters gradient;
+  gradient.derivatives = Derivatives::Gradient;
+  const FieldValues values = field.evaluate(place, gradient);
+  EXPECT_NEAR(values.values[0], 3.0 + 2.0 * 2.345, 1e-10);
+  EXPECT_LT((values.gradients.col(0) - 2.0 * along).norm(), 1e-9);
+  EXPECT_TRUE(
+    contains(refusal(line, parametersOf(Scheme::ParameterizedMLS)), "50 points on one line"));
+}
+
+// Duplicates with equal values change nothing; with contradicting values their mean counts.
+TEST(FieldInput, duplicates)
+{
+  const FieldInput input = Truth::torusInput(400, 2);
+  const Points targets = Truth::randomPlaces(100, 1.5, 3);
+  FieldInput twice{ Points(3, 800), Values(800) };
+  twice.points << input.points, input.points;
+  Values contradiction = Values::Constant(400, 0.25);
+  for (const Scheme scheme :
+    { Scheme::ExplicitMLS, Scheme::ParameterizedMLS, Scheme::LocalRBF, Scheme::Hybrid })
+  {
+    const FieldParameters parameters = parametersOf(scheme);
+    const Values once =
+      Field::fit(input.points, input.values, parameters).evaluate(targets, {}).values;
+    twice.values << input.values, input.values;
+    EXPECT_EQ(
+      once, Field::fit(twice.points, twice.values, parameters).evaluate(targets, {}).values);
+    twice.values << input.values + contradiction, input.values - contradiction;
+    const Values mean =
+      Field::fit(twice.points, twice.values, parameters).evaluate(targets, {}).values;
+    EXPECT_LT((once - mean).cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+// A width that makes systems singular is told with the condition and what to change, instead of
+// numbers that are noise.
+TEST(FieldInput, singularWidths)
+{
+  const FieldInput input = Truth::torusInput(1000, 4);
+  for (const KernelType kernel : { KernelType::Gaussian, KernelType::InverseMultiquadric })
+  {
+    FieldParameters parameters = parametersOf(Scheme::LocalRBF, kernel);
+    parameters.kernelWidth = 100.0;
+    const std::string sentence = refusal(input, parameters);
+    EXPECT_TRUE(contains(sentence, nameOf(kernel))) << sentence;
+    EXPECT_TRUE(contains(sentence, "width 100")) << sentence;
+    EXPECT_TRUE(contains(sentence, "reciprocal condition")) << sentence;
+    EXPECT_TRUE(contains(sentence, "Regularization")) << sentence;
+    parameters.regularization = 1e-10;
+    EXPECT_EQ(refusal(input, parameters), "accepted");
+  }
+}
+
+// What cannot be meant is refused in a sentence with the number.
+TEST(FieldInput, refusesParameters)
+{
+  const FieldInput input = Truth::torusInput(100, 5);
+  const auto with = [&](const std::function<void(FieldParameters&)>& change)
+  {
+    FieldParameters parameters;
+    change(parameters);
+    return refusal(input, parameters);
+  };
+  EXPECT_TRUE(contains(with([](auto& p) { p.neighborCount = -3; }), "NeighborCount"));
+  EXPECT_TRUE(contains(with([](auto& p) { p.searchRadius = -1e-9; }), "-1e-09"));
+  EXPECT_TRUE(contains(with([](auto& p) { p.kernelWidth = INFINITY; }), "inf"));
+  EXPECT_TRUE(contains(with([](auto& p) { p.regularization = -1.0; }), "Regularization"));
+  EXPECT_TRUE(contains(with([](auto& p) { p.kernel = KernelType::Harmonic; }), "Harmonic"));
+  EXPECT_TRUE(contains(with([](auto& p) { p.scheme = Scheme::Linear; }), "schemes"));
+  EXPECT_TRUE(contains(with(
+                         [](auto& p)
+                         {
+                           p.scheme = Scheme::ParameterizedMLS;
+                           p.polynomialDegree = 5;
+                         }),
+    "degree from 1 to 4, found 5"));
+  EXPECT_TRUE(contains(with(
+                         [](auto& p)
+                         {
+                           p.scheme = Scheme::ParameterizedMLS;
+                           p.neighborCount = 6;
+                         }),
+    "at least 7, found 6"));
+}
+
+// So are values and points that are none, and models that do not fit together.
+TEST(FieldInput, refusesSamplesAndModels)
+{
+  FieldInput input = Truth::torusInput(100, 6);
+  FieldModel model = Field::fit(input.points, input.values, {}).model();
+  model.coefficients.conservativeResize(99);
+  EXPECT_TRUE(contains(refusal([&]() { Field{ model }; }), "99 for 100"));
+  model = Field::fit(input.points, input.values, {}).model();
+  model.centers.col(3) = model.centers.col(4);
+  EXPECT_TRUE(contains(refusal([&]() { Field{ model }; }), "1 duplicates"));
+  model.centers(0, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(contains(refusal([&]() { Field{ model }; }), "finite"));
+
+  input.values[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(contains(refusal(input, {}), "finite values"));
+  input.values.conservativeResize(50);
+  EXPECT_TRUE(contains(refusal(input, {}), "50 values for 100 points"));
+  EXPECT_TRUE(contains(refusal({ Points(3, 0), Values(0) }, {}), "needs points, found none"));
+}
+
+} // namespace
+} // namespace SurfaceScalars
