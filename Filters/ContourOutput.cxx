@@ -1,6 +1,5 @@
 #include "ContourOutput.h"
 
-#include "FilterRun.h"
 #include "OutputArrays.h"
 
 #include "vtkCellArray.h"
@@ -135,14 +134,7 @@ void writeEvolution(const LevelSets& sets, vtkFieldData* data)
 
 std::string isoValueName(const FilterRun& run, const std::string& valueName)
 {
-  if (valueName != NormalsName && valueName != ResidualName && valueName != ConvergedName)
-  {
-    return valueName;
-  }
-  std::string free = valueName + "Input";
-  run.warn("The outputs have an array '" + valueName +
-    "' of their own; the iso-values of the input's '" + valueName + "' are in '" + free + "'.");
-  return free;
+  return freeName(run, valueName, { NormalsName, ResidualName, ConvergedName });
 }
 
 void writeContours(const LevelSets& sets, const std::string& valueName, vtkPolyData* output)

@@ -1,10 +1,14 @@
 #include "OutputArrays.h"
 
+#include "FilterRun.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+
+#include <algorithm>
 
 namespace SurfaceScalars
 {
@@ -78,6 +82,19 @@ std::string renameTaken(vtkDataSetAttributes* data, const std::string& name)
   {
     data->SetActiveAttribute(free.c_str(), attribute);
   }
+  return free;
+}
+
+std::string freeName(
+  const FilterRun& run, const std::string& name, std::initializer_list<const char*> own)
+{
+  if (std::find(own.begin(), own.end(), name) == own.end())
+  {
+    return name;
+  }
+  std::string free = name + "Input";
+  run.warn("The output has an array '" + name + "' of its own; the values of the input's '" + name +
+    "' are in '" + free + "'.");
   return free;
 }
 

@@ -3,6 +3,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <initializer_list>
 #include <string>
 
 class vtkCellArray;
@@ -11,6 +12,8 @@ class vtkDoubleArray;
 
 namespace SurfaceScalars
 {
+
+class FilterRun;
 
 /// An array of doubles, allocated and not set.
 vtkSmartPointer<vtkDoubleArray> makeDoubles(
@@ -27,5 +30,10 @@ vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count);
  * @returns the new name, empty if there was no such array
  */
 std::string renameTaken(vtkDataSetAttributes* data, const std::string& name);
+
+/// The name under which values called `name` are written: that, or `<name>Input` and a warning if
+/// it is among the arrays of the filter's own.
+std::string freeName(
+  const FilterRun& run, const std::string& name, std::initializer_list<const char*> own);
 
 } // namespace SurfaceScalars

@@ -6,6 +6,7 @@
 #include "LevelSets.h"
 #include "NeighborGraph.h"
 #include "PointSetInput.h"
+#include "PropertyChoice.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 vtkStandardNewMacro(vtkPointSetContour);
 
@@ -28,16 +28,6 @@ using namespace SurfaceScalars;
 // The shares of the whole that reading, the neighbor graph and the curves take.
 constexpr double ReadShare = 0.05;
 constexpr double GraphShare = 0.5;
-
-/// @throws InvalidInput if `value` is none of the values a property has
-void checkChoice(const std::string& property, int value, std::initializer_list<int> values,
-  const std::string& names)
-{
-  if (std::find(values.begin(), values.end(), value) == values.end())
-  {
-    throw InvalidInput(property + " " + names, std::to_string(value), "Choose one of these.");
-  }
-}
 
 std::vector<double> isoValues(vtkPointSetContour& filter)
 {
@@ -73,9 +63,12 @@ VolumeFunction volumeFunction(vtkImplicitFunction* function)
 
 ContourParameters parametersOf(vtkPointSetContour& filter)
 {
-  checkChoice("Scheme", filter.GetScheme(), { 0, 1, 2 },
-    "0 (Linear), 1 (ExplicitMLS) or 2 (ParameterizedMLS)");
-  checkChoice("SurfaceModel", filter.GetSurfaceModel(), { 0, 2 }, "0 (MLS) or 2 (Unprojected)");
+  checkChoice("Scheme", filter.GetScheme(), { 0, 1, 2, 3, 4 },
+    "0 (Linear), 1 (ExplicitMLS), 2 (ParameterizedMLS), 3 (LocalRBF) or 4 (Hybrid)");
+  checkChoice(
+    "SurfaceModel", filter.GetSurfaceModel(), { 0, 1, 2 }, "0 (MLS), 1 (RBF) or 2 (Unprojected)");
+  checkChoice("Kernel", filter.GetKernel(), { 0, 1, 2, 3, 4, 5, 6, 7, 8 },
+    "from 0 (Gaussian) to 8 (Wu), such as 3 (Cubic)");
   checkChoice("Fit", filter.GetFit(), { 0, 1 }, "0 (Interpolate) or 1 (LeastSquares)");
 
   ContourParameters parameters;
@@ -86,6 +79,7 @@ ContourParameters parametersOf(vtkPointSetContour& filter)
   parameters.polynomialDegree = filter.GetPolynomialDegree();
   parameters.neighborCount = filter.GetNeighborCount();
   parameters.searchRadius = filter.GetSearchRadius();
+  parameters.kernel = static_cast<KernelType>(filter.GetKernel());
   parameters.kernelWidth = filter.GetKernelWidth();
   parameters.linkDistance = filter.GetLinkDistance();
   parameters.tolerance = filter.GetTolerance();
@@ -228,6 +222,7 @@ void vtkPointSetContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PolynomialDegree: " << this->PolynomialDegree << "\n";
   os << indent << "NeighborCount: " << this->NeighborCount << "\n";
   os << indent << "SearchRadius: " << this->SearchRadius << "\n";
+  os << indent << "Kernel: " << this->Kernel << "\n";
   os << indent << "KernelWidth: " << this->KernelWidth << "\n";
   os << indent << "CutFunction: " << this->CutFunction.Get() << "\n";
   os << indent << "LinkDistance: " << this->LinkDistance << "\n";

@@ -72,16 +72,33 @@ public:
   /// How f is extended off its samples. The numbers are fixed: state files keep them.
   enum SchemeType
   {
-    LINEAR = 0,           ///< linear along the edges of the neighbor graph
-    EXPLICIT_MLS = 1,     ///< weighted average, (6)
-    PARAMETERIZED_MLS = 2 ///< polynomial over the tangent plane, (4)(5)
+    LINEAR = 0,            ///< linear along the edges of the neighbor graph
+    EXPLICIT_MLS = 1,      ///< weighted average, (6)
+    PARAMETERIZED_MLS = 2, ///< polynomial over the tangent plane, (4)(5)
+    LOCAL_RBF = 3,         ///< radial functions through the neighbors' values, (8)-(10)
+    HYBRID = 4             ///< EXPLICIT_MLS, and LOCAL_RBF where that misses the values (sec. 3.3)
   };
 
   /// What samples and curves are put on.
   enum SurfaceModelType
   {
     MLS = 0,        ///< the moving least-squares surface, (2)
+    RBF = 1,        ///< the zeros of radial functions with offset constraints (sec. 2.1)
     UNPROJECTED = 2 ///< nothing: they stay on the edges of the neighbor graph
+  };
+
+  /// Radial functions phi(r), t = r / h. The numbers are fixed: state files keep them.
+  enum KernelType
+  {
+    GAUSSIAN = 0,             ///< exp(-t^2)
+    EXPONENTIAL = 1,          ///< exp(-t)
+    LINEAR_KERNEL = 2,        ///< r
+    CUBIC = 3,                ///< t^3
+    THIN_PLATE = 4,           ///< t^2 log t
+    MULTIQUADRIC = 5,         ///< sqrt(1 + t^2)
+    INVERSE_MULTIQUADRIC = 6, ///< 1 / sqrt(1 + t^2)
+    WENDLAND = 7,             ///< (1 - t)^4 (4 t + 1), 0 from t = 1 on
+    WU = 8                    ///< (1 - t)^4 (4 + 16 t + 12 t^2 + 3 t^3), 0 from t = 1 on
   };
 
   enum FitType
@@ -146,8 +163,17 @@ public:
 
   ///@{
   /**
-   * Width h of the weights exp(-(r/h)^2) of (2) and (6), a length. Default: 0, chosen from the
-   * sampling.
+   * The radial function of the schemes LOCAL_RBF and HYBRID and of the surface model RBF: a
+   * KernelType. Default: CUBIC, which needs no width.
+   */
+  vtkSetMacro(Kernel, int);
+  vtkGetMacro(Kernel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Width h of the weights exp(-(r/h)^2) of (2) and (6) and of the radial function, a length.
+   * Default: 0, chosen from the sampling.
    */
   vtkSetMacro(KernelWidth, double);
   vtkGetMacro(KernelWidth, double);
@@ -222,6 +248,7 @@ private:
   int PolynomialDegree = 2;
   int NeighborCount = 0;
   double SearchRadius = 0.0;
+  int Kernel = CUBIC;
   double KernelWidth = 0.0;
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   double LinkDistance = 0.0;

@@ -7,6 +7,7 @@
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -135,12 +136,16 @@ void expectEmptyOutputs(vtkAlgorithm* filter)
 {
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
   {
-    auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port));
+    vtkDataObject* output = filter->GetOutputDataObject(port);
     ASSERT_NE(output, nullptr);
-    EXPECT_EQ(output->GetNumberOfPoints(), 0);
-    EXPECT_EQ(output->GetNumberOfCells(), 0);
-    EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
-    EXPECT_EQ(output->GetCellData()->GetNumberOfArrays(), 0);
+    for (const int kind : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      EXPECT_EQ(output->GetNumberOfElements(kind), 0);
+      if (vtkFieldData* data = output->GetAttributesAsFieldData(kind)) // a composite has none
+      {
+        EXPECT_EQ(data->GetNumberOfArrays(), 0);
+      }
+    }
     EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0);
   }
 }

@@ -45,6 +45,7 @@ TEST(ContourProperties, haveTheDefaultsOfTheInterface)
   EXPECT_EQ(filter->GetPolynomialDegree(), 2);
   EXPECT_EQ(filter->GetNeighborCount(), 0);
   EXPECT_EQ(filter->GetSearchRadius(), 0.0);
+  EXPECT_EQ(filter->GetKernel(), 3);
   EXPECT_EQ(filter->GetKernelWidth(), 0.0);
   EXPECT_EQ(filter->GetCutFunction(), nullptr);
   EXPECT_EQ(filter->GetLinkDistance(), 0.0);
@@ -128,9 +129,9 @@ TEST(ContourProperties, chooseTheArray)
 // Every scheme finds the two circles; what differs is how exactly.
 TEST(ContourProperties, offerEverySchemeAndSurface)
 {
-  for (const int scheme : { 0, 1, 2 })
+  for (const int scheme : { 0, 1, 2, 3, 4 })
   {
-    for (const int surface : { 0, 2 })
+    for (const int surface : { 0, 1, 2 })
     {
       SCOPED_TRACE(::testing::Message() << "scheme " << scheme << ", surface " << surface);
       vtkNew<vtkPointSetContour> filter;
@@ -141,6 +142,23 @@ TEST(ContourProperties, offerEverySchemeAndSurface)
       expectSilentSuccess(update(filter));
       EXPECT_THAT(curvesOf(filter), ::testing::SizeIs(2));
     }
+  }
+}
+
+// Every kernel finds them, for the function and for the surface.
+TEST(ContourProperties, offerEveryKernel)
+{
+  for (int kernel = 0; kernel <= 8; ++kernel)
+  {
+    SCOPED_TRACE(kernel);
+    vtkNew<vtkPointSetContour> filter;
+    filter->SetInputData(torusCloud());
+    filter->SetScheme(3);
+    filter->SetSurfaceModel(1);
+    filter->SetKernel(kernel);
+    filter->SetContourValues(0, 0.2);
+    expectSilentSuccess(update(filter));
+    EXPECT_THAT(curvesOf(filter), ::testing::SizeIs(2));
   }
 }
 

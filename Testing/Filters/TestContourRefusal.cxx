@@ -209,12 +209,17 @@ TEST(ContourRefusal, choicesThatDoNotExist)
   vtkNew<vtkPointSetContour> filter;
   filter->SetInputData(planeCloud());
   filter->SetScheme(99);
-  expectRefusal(
-    filter, { "needs Scheme 0 (Linear), 1 (ExplicitMLS) or 2 (ParameterizedMLS), found 99." });
+  expectRefusal(filter,
+    { "needs Scheme 0 (Linear), 1 (ExplicitMLS), 2 (ParameterizedMLS), 3 (LocalRBF) or 4 "
+      "(Hybrid), found 99." });
   filter->SetScheme(2);
-  filter->SetSurfaceModel(1);
-  expectRefusal(filter, { "needs SurfaceModel 0 (MLS) or 2 (Unprojected), found 1." });
+  filter->SetSurfaceModel(3);
+  expectRefusal(filter, { "needs SurfaceModel 0 (MLS), 1 (RBF) or 2 (Unprojected), found 3." });
   filter->SetSurfaceModel(0);
+  filter->SetKernel(9);
+  expectRefusal(
+    filter, { "needs Kernel from 0 (Gaussian) to 8 (Wu), such as 3 (Cubic), found 9." });
+  filter->SetKernel(3);
   filter->SetFit(-1);
   expectRefusal(filter, { "needs Fit 0 (Interpolate) or 1 (LeastSquares), found -1." });
 }

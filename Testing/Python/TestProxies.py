@@ -5,17 +5,59 @@ import unittest
 import support
 from paraview import simple
 
+FIELD_SCHEMES = {"ExplicitMLS": 1, "ParameterizedMLS": 2, "LocalRBF": 3, "Hybrid": 4, "GlobalRBF": 5}
+KERNELS = {
+    "Gaussian": 0,
+    "Exponential": 1,
+    "Linear": 2,
+    "Cubic": 3,
+    "ThinPlate": 4,
+    "Multiquadric": 5,
+    "InverseMultiquadric": 6,
+    "Wendland": 7,
+    "Wu": 8,
+}
+FIELD_DEFAULTS = {
+    "Scheme": "LocalRBF",
+    "Kernel": "Cubic",
+    "KernelWidth": 0.0,
+    "NeighborCount": 0,
+    "SearchRadius": 0.0,
+    "PolynomialDegree": 2,
+    "Regularization": 0.0,
+    "HybridThreshold": 0.01,
+}
+RESULT_DEFAULTS = {
+    "ComputeGradient": 0,
+    "ComputeHessian": 0,
+    "ClampToRange": 0,
+    "MaximumDistance": 0.0,
+    "NullValue": 0.0,
+}
+
 PROXIES = {
     "PointSetContour": {
         "ports": ["Contours", "Samples"],
         "enumerations": {
-            "Scheme": {"Linear": 0, "ExplicitMLS": 1, "ParameterizedMLS": 2},
-            "SurfaceModel": {"MLS": 0, "Unprojected": 2},
+            "Scheme": {"Linear": 0, "ExplicitMLS": 1, "ParameterizedMLS": 2, "LocalRBF": 3, "Hybrid": 4},
+            "SurfaceModel": {"MLS": 0, "RBF": 1, "Unprojected": 2},
+            "Kernel": {
+                "Gaussian": 0,
+                "Exponential": 1,
+                "Linear": 2,
+                "Cubic": 3,
+                "ThinPlate": 4,
+                "Multiquadric": 5,
+                "InverseMultiquadric": 6,
+                "Wendland": 7,
+                "Wu": 8,
+            },
             "Fit": {"Interpolate": 0, "LeastSquares": 1},
         },
         "defaults": {
             "Scheme": "ParameterizedMLS",
             "SurfaceModel": "MLS",
+            "Kernel": "Cubic",
             "Fit": "Interpolate",
             "NeighborCount": 0,
             "SearchRadius": 0.0,
@@ -28,6 +70,25 @@ PROXIES = {
         },
         "others": ["Input", "ScalarArray", "ContourValues", "CutFunction"],
     },
+    "RBFExtend": {
+        "ports": ["Output", "Model"],
+        "enumerations": {"Scheme": FIELD_SCHEMES, "Kernel": KERNELS},
+        "defaults": {**FIELD_DEFAULTS, **RESULT_DEFAULTS, "GridDimensions": [64, 64, 64], "GridPadding": 0.05},
+        "others": ["Input", "Target", "ScalarArray", "ResultArrayName"],
+    },
+    "RBFEvaluate": {
+        "ports": None,
+        "enumerations": {},
+        "defaults": RESULT_DEFAULTS,
+        "others": ["Input", "Target", "ResultArrayName"],
+        "superclass": "vtkDataSetAlgorithm",
+    },
+    "OsculatingParaboloid": {
+        "ports": None,
+        "enumerations": {"Scheme": FIELD_SCHEMES, "Kernel": KERNELS},
+        "defaults": {**FIELD_DEFAULTS, "PointId": 0, "Radius": 0.0, "GridDimensions": [48, 48, 48]},
+        "others": ["Input", "ScalarArray"],
+    },
     "PointSetScalarFunction": {
         "ports": None,
         "enumerations": {"Function": {"Height": 0, "DistanceToPoint": 1, "DistanceToPlane": 2}},
@@ -39,7 +100,9 @@ PROXIES = {
 
 def make(name):
     points = support.torus_points(500)
-    return getattr(simple, name)(Input=support.source(support.polydata(points, f=points[:, 2])))
+    source = support.source(support.polydata(points, f=points[:, 2]))
+    inputs = {"Target": source} if name == "RBFEvaluate" else {}
+    return getattr(simple, name)(Input=source, **inputs)
 
 
 def without_blanks(label):
@@ -85,14 +148,15 @@ class TestProxies(unittest.TestCase):
 
     def test_values_of_other_filters_are_refused(self):
         contour = self.proxies["PointSetContour"]
-        for property_name, value in (("Scheme", "LocalRBF"), ("Scheme", "Hybrid"), ("SurfaceModel", "RBF")):
+        for property_name, value in (("Scheme", "GlobalRBF"), ("Kernel", "Harmonic")):
             with self.assertRaises(ValueError):
                 setattr(contour, property_name, value)
 
     def test_defaults(self):
         for _, proxy, expected in self.each():
             for property_name, value in expected["defaults"].items():
-                self.assertEqual(getattr(proxy, property_name), value, property_name)
+                found = getattr(proxy, property_name)
+                self.assertEqual(list(found) if isinstance(value, list) else found, value, property_name)
 
     def test_the_value_in_the_middle_is_contoured_by_default(self):
         contour = self.proxies["PointSetContour"]
@@ -113,10 +177,10 @@ class TestProxies(unittest.TestCase):
                 count = proxy.SMProxy.GetNumberOfOutputPorts()
                 self.assertEqual([proxy.SMProxy.GetOutputPortName(i) for i in range(count)], expected["ports"])
 
-    def test_filters_are_polydata_algorithms_of_the_proxys_name(self):
-        for name, proxy, _ in self.each():
+    def test_filters_are_algorithms_of_the_proxys_name(self):
+        for name, proxy, expected in self.each():
             self.assertEqual(proxy.GetClientSideObject().GetClassName(), "vtk" + name)
-            self.assertTrue(proxy.GetClientSideObject().IsA("vtkPolyDataAlgorithm"))
+            self.assertTrue(proxy.GetClientSideObject().IsA(expected.get("superclass", "vtkPolyDataAlgorithm")))
 
     def test_every_property_has_a_tooltip(self):
         for _, proxy, _ in self.each():

@@ -1,0 +1,57 @@
+"""Resamples the brightness of one scan of a statue onto another and tells how well.
+
+usage: pvpython resample_scan.py PLUGIN lion.vtp RESULT.vtp [PICTURE.png]
+
+PLUGIN is SurfaceScalars.so; Utilities/fetch-data.sh fetches lion.vtp. Every tenth point of the scan, in random order,
+plays the first scan, with the brightness of its color as the function; all other points play the second one. Their own
+brightness tells how good the prediction is.
+"""
+
+import sys
+
+import numpy
+import vtk
+from paraview.simple import *
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+if len(sys.argv) < 4:
+    sys.exit(__doc__)
+plugin, scan, result = sys.argv[1:4]
+LoadPlugin(plugin, remote=False, ns=globals())  # from now on its filters are functions
+
+lion = servermanager.Fetch(XMLPolyDataReader(FileName=[scan]))
+points = vtk_to_numpy(lion.GetPoints().GetData()).astype(float)
+colors = [lion.GetPointData().GetArray(i) for i in range(lion.GetPointData().GetNumberOfArrays())]
+color = next(vtk_to_numpy(array) for array in colors if array.GetNumberOfComponents() >= 3 and "ormal" not in array.GetName())
+brightness = color[:, :3].astype(float) @ [0.299, 0.587, 0.114]
+
+
+def cloud(chosen, **arrays):
+    data = vtk.vtkPolyData()
+    data.SetPoints(vtk.vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(points[chosen], deep=True))
+    for name, values in arrays.items():
+        array = numpy_to_vtk(values[chosen], deep=True)
+        array.SetName(name)
+        data.GetPointData().SetScalars(array)
+    source = TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
+order = numpy.random.default_rng(1).permutation(len(points))
+first, second = order[:len(points) // 10], order[len(points) // 10:]
+known = cloud(first, Brightness=brightness)
+wanted = cloud(second)
+
+print(f"{len(first)} points with brightness, {len(second)} without; brightness varies by "
+      f"{brightness[second].std():.1f} (standard deviation)")
+print("scheme             root mean square  mean absolute   largest")
+for scheme in ["ExplicitMLS", "ParameterizedMLS", "LocalRBF", "Hybrid"]:
+    extended = RBFExtend(Input=known, ScalarArray=["POINTS", "Brightness"], Target=wanted, Scheme=scheme, ClampToRange=1)
+    output = servermanager.Fetch(extended)
+    errors = vtk_to_numpy(output.GetPointData().GetArray("Brightness")) - brightness[second]
+    print(f"{scheme:18} {numpy.sqrt(numpy.mean(errors ** 2)):16.2f} {abs(errors).mean():14.2f} {abs(errors).max():9.1f}")
+    if scheme == "ExplicitMLS":
+        SaveData(result, extended, DataMode="Binary")
+        best = extended
