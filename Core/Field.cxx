@@ -161,6 +161,7 @@ struct Field::Implementation
   FieldModel model;
   std::vector<char> marked;                   ///< of the Hybrid scheme
   std::shared_ptr<const GlobalSystem> system; ///< of the GlobalRBF scheme, once it has been needed
+  Values centerValues;                        ///< f at the centers, with the system
   std::size_t contradictions = 0;
 
   Implementation(const FieldParameters& parameters, std::shared_ptr<const Samples> distinct)
@@ -207,6 +208,7 @@ void Field::Implementation::solve(const Values& values, const Execution& executi
       FieldSamples{ cloud, values }, this->asked, execution.part(0.0, 0.8));
   }
   GlobalSum sum = this->system->solve(values, execution.part(0.8, 1.0));
+  this->centerValues = values;
   this->model.parameters.kernelWidth = sum.kernel.width();
   this->model.coefficients = std::move(sum.coefficients);
   this->model.tail = sum.tail;
@@ -315,6 +317,16 @@ const PointCloud& Field::cloud() const
 std::size_t Field::contradictionCount() const
 {
   return this->implementation_->contradictions;
+}
+
+Values Field::leaveOneOutErrors() const
+{
+  if (!this->implementation_->system)
+  {
+    throw InvalidInput("the GlobalRBF scheme for leave-one-out errors", "another scheme or a model",
+      "Choose the GlobalRBF Scheme.");
+  }
+  return this->implementation_->system->leaveOneOutErrors(this->implementation_->centerValues);
 }
 
 std::unique_ptr<FieldApproximation> Field::approximation() const

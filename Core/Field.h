@@ -68,14 +68,18 @@ public:
   Field(Field&&) noexcept;
   Field& operator=(Field&&) noexcept;
 
-  /// The same points and parameters with other values: what depends on points only is kept (design
-  /// paper, sec. 6.3), and so is the width that GlobalRBF has chosen for the first values.
+  /// The same points and parameters with other values, exactly as fit() makes it, but what depends
+  /// on points only is kept (design paper, sec. 6.3).
   Field withValues(const ValuesRef& values, const Execution& execution = {}) const;
 
   const FieldModel& model() const;
   const PointCloud& cloud() const; ///< of the distinct samples
   /// Places whose samples have different values: f~ takes their mean.
   std::size_t contradictionCount() const;
+  /// f at each center less what all other centers predict there, without solving again (Rippa
+  /// 1999).
+  /// @throws InvalidInput unless the scheme is GlobalRBF with a dense system, fitted here
+  Values leaveOneOutErrors() const;
 
   /// One for each thread; valid as long as the field.
   std::unique_ptr<FieldApproximation> approximation() const;

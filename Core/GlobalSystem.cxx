@@ -190,6 +190,19 @@ GlobalSum GlobalSystem::solve(const Values& values, const Execution& execution) 
   return result;
 }
 
+Values GlobalSystem::leaveOneOutErrors(const Values& values) const
+{
+  if (!this->dense_)
+  {
+    throw InvalidInput("a dense system for leave-one-out errors",
+      "the sparse one of the " + std::string(nameOf(this->kernel_.type())) + " kernel",
+      "Choose another Kernel, or fewer samples.");
+  }
+  const std::lock_guard<std::mutex> lock(this->mutex_);
+  this->dense_->solve(values);
+  return this->dense_->leaveOneOutErrors();
+}
+
 void GlobalSystem::checkResidual(
   const GlobalSum& sum, const Values& values, const Execution& execution) const
 {

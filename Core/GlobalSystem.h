@@ -44,6 +44,9 @@ public:
   /// 1e-5; Aborted
   GlobalSum solve(const Values& values, const Execution& execution) const;
 
+  /// As Field::leaveOneOutErrors().
+  Values leaveOneOutErrors(const Values& values) const;
+
 private:
   bool isSparse(const Execution& execution) const;
   void checkResidual(const GlobalSum& sum, const Values& values, const Execution& execution) const;

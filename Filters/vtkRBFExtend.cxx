@@ -4,14 +4,17 @@
 #include "FieldModelData.h"
 #include "FieldTarget.h"
 #include "FilterRun.h"
+#include "OutputArrays.h"
 #include "PointSetInput.h"
 
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -173,9 +176,18 @@ int vtkRBFExtend::RequestData(
 
       const Field& field =
         this->FieldOf(std::move(samples), run, execution.part(ReadShare, FitShare));
+      const Values leaveOneOutErrors =
+        this->ComputeLeaveOneOutErrors ? field.leaveOneOutErrors() : Values();
       writeOnTarget(field, targetRequestOf(*this, valueName), target, run,
         execution.part(FitShare, 1.0), vtkDataObject::GetData(outputs, 0));
-      writeModel({ field.model(), valueName }, vtkPolyData::GetData(outputs, 1));
+      vtkPolyData* model = vtkPolyData::GetData(outputs, 1);
+      writeModel({ field.model(), valueName }, model);
+      if (this->ComputeLeaveOneOutErrors)
+      {
+        const auto array = makeDoubles("LeaveOneOutError", leaveOneOutErrors.size());
+        std::copy_n(leaveOneOutErrors.data(), leaveOneOutErrors.size(), array->GetPointer(0));
+        model->GetPointData()->AddArray(array);
+      }
     });
 }
 
@@ -188,6 +200,7 @@ void vtkRBFExtend::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComputeGradient: " << this->ComputeGradient << "\n";
   os << indent << "ComputeHessian: " << this->ComputeHessian << "\n";
   os << indent << "ClampToRange: " << this->ClampToRange << "\n";
+  os << indent << "ComputeLeaveOneOutErrors: " << this->ComputeLeaveOneOutErrors << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "NullValue: " << this->NullValue << "\n";
   os << indent << "ResultArrayName: " << (this->ResultArrayName ? this->ResultArrayName : "(none)")

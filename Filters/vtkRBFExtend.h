@@ -85,6 +85,17 @@ public:
 
   ///@{
   /**
+   * Whether Model gets the point array LeaveOneOutError: f at each center less what all other
+   * centers predict there. Its size tells kernels and widths apart. Only for GLOBAL_RBF with a
+   * dense system. Default: off.
+   */
+  vtkSetMacro(ComputeLeaveOneOutErrors, bool);
+  vtkGetMacro(ComputeLeaveOneOutErrors, bool);
+  vtkBooleanMacro(ComputeLeaveOneOutErrors, bool);
+  ///@}
+
+  ///@{
+  /**
    * A length: targets farther from every sample get NullValue and Valid 0. Default: 0, unlimited.
    */
   vtkSetMacro(MaximumDistance, double);
@@ -130,6 +141,7 @@ private:
   bool ComputeGradient = false;
   bool ComputeHessian = false;
   bool ClampToRange = false;
+  bool ComputeLeaveOneOutErrors = false;
   double MaximumDistance = 0.0;
   double NullValue = 0.0;
   char* ResultArrayName = nullptr;

@@ -15,7 +15,7 @@ packages=(
   # the icons in the window of ParaView
   libqt5svg5)
 if [ "${1:-}" != --no-tests ]; then
-  packages+=(libgtest-dev libgmock-dev libbenchmark-dev imagemagick clang-format clang-tidy ccache git)
+  packages+=(libgtest-dev libgmock-dev libbenchmark-dev imagemagick clang-format clang-tidy ccache git python3-scipy)
 fi
 
 missing=()

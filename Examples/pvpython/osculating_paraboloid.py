@@ -43,4 +43,25 @@ print(f"saddle at point {saddle}, {tuple(round(c, 3) for c in place)}: f = {valu
 
 paraboloid = OsculatingParaboloid(Input=distance, ScalarArray=["POINTS", name], PointId=saddle)
 contour = PointSetContour(Input=distance, ScalarArray=["POINTS", name], ContourValues=[value])
-paraboloid.UpdatePipeline()
+view = CreateRenderView(ViewSize=[1400, 1000])
+view.OrientationAxesVisibility = 0
+view.UseColorPaletteForBackground = 0
+view.Background = [1, 1, 1]
+cloud = Show(points, view)
+cloud.SetRepresentationType("Points")
+cloud.PointSize = 3
+cloud.AmbientColor = cloud.DiffuseColor = [0.65, 0.65, 0.65]
+cloud.ColorArrayName = ["POINTS", ""]
+yellow = Show(paraboloid, view)
+yellow.ColorArrayName = ["POINTS", ""]
+yellow.DiffuseColor = [0.95, 0.8, 0.2]
+yellow.Opacity = 0.85
+curve = Show(contour, view)
+curve.ColorArrayName = ["POINTS", ""]
+curve.AmbientColor = curve.DiffuseColor = [0.1, 0.2, 0.6]
+curve.LineWidth = 4
+view.CameraFocalPoint = place
+view.CameraPosition = [place[0] + 0.25, place[1] + 0.35, place[2] + 0.5]
+view.CameraViewUp = [0, 1, 0]
+Render(view)
+SaveScreenshot(picture, view)

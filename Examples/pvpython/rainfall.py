@@ -28,7 +28,7 @@ elevation = LegacyVTKReader(FileNames=[os.path.join(data, "sic97_dem.vtk")])
 
 
 def array(proxy, name, port=0):
-    return vtk_to_numpy(servermanager.Fetch(OutputPort(proxy, port)).GetPointData().GetArray(name))
+    return vtk_to_numpy(servermanager.Fetch(proxy, idx=port).GetPointData().GetArray(name))
 
 
 def positions(proxy):
@@ -37,7 +37,7 @@ def positions(proxy):
 
 def predict(target, **properties):
     return RBFExtend(Input=observed, ScalarArray=["POINTS", "Rainfall"], Target=target, Scheme="GlobalRBF",
-                     ClampToRange=1, **properties)
+                     ResultArrayName="Predicted", ClampToRange=1, **properties)
 
 
 def root_mean_square(errors):
@@ -62,7 +62,7 @@ print("kernel                left-one-out  held out   (root mean square, 1/10 mm
 rain = array(held_out, "Rainfall")
 predictions = {}
 for kernel in kernels:
-    predictions[kernel] = array(predict(held_out, Kernel=kernel), "Rainfall")
+    predictions[kernel] = array(predict(held_out, Kernel=kernel), "Predicted")
     mark = "<- chosen" if kernel == chosen else ""
     print(f"{kernel:20} {root_mean_square(left_out[kernel]):12.1f} "
           f"{root_mean_square(predictions[kernel] - rain):10.1f}  {mark}")
@@ -84,31 +84,40 @@ for name, prediction in rows:
 terrain = predict(elevation, Kernel=chosen)
 terrain.UpdatePipeline()
 SaveData(os.path.join(results, "rainfall.vtp"), OutputPort(terrain, 1), DataMode="Binary")
-relief = WarpByScalar(Input=terrain, Scalars=["POINTS", "Elevation"], ScaleFactor=12)
+relief = WarpByScalar(Input=terrain, Scalars=["POINTS", "Elevation"], ScaleFactor=5)
 surface = ExtractSurface(Input=relief)
 normals = GenerateSurfaceNormals(Input=surface)
-lines = Contour(Input=normals, ContourBy=["POINTS", "Rainfall"], Isosurfaces=[50 * i for i in range(1, 12)])
+lines = Contour(Input=normals, ContourBy=["POINTS", "Predicted"], Isosurfaces=[50 * i for i in range(1, 12)])
 
 view = CreateRenderView(ViewSize=[1600, 1000])
 view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
 view.Background = [1, 1, 1]
 shown = Show(normals, view)
-ColorBy(shown, ("POINTS", "Rainfall"))
-colors = GetColorTransferFunction("Rainfall")
+ColorBy(shown, ("POINTS", "Predicted"))
+colors = GetColorTransferFunction("Predicted")
 colors.ApplyPreset("Blues", True)
+colors.InvertTransferFunction()
 colors.RescaleTransferFunction(0, float(measured.max()))
 bar = GetScalarBar(colors, view)
 bar.Title = "Rain, 1/10 mm"
 bar.ComponentTitle = ""
 bar.TitleColor = bar.LabelColor = [0, 0, 0]
+bar.RangeLabelFormat = bar.LabelFormat = "%.0f"
+bar.AutomaticLabelFormat = 0
 shown.SetScalarBarVisibility(view, True)
 drawn = Show(lines, view)
 ColorBy(drawn, None)
 drawn.DiffuseColor = [0.1, 0.1, 0.25]
 drawn.LineWidth = 2
-view.CameraPosition = [0, -420000, 400000]
-view.CameraFocalPoint = [4000, -8000, 0]
+stations = Show(Glyph(Input=observed, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=["POINTS", "No scale array"],
+                      ScaleFactor=4000), view)
+ColorBy(stations, None)
+stations.DiffuseColor = [0.9, 0.3, 0.1]
+stations.Position = [0, 0, 12000]  # above the terrain
+view.CameraPosition = [4000, -270000, 430000]
+view.CameraFocalPoint = [4000, -12000, 0]
 view.CameraViewUp = [0, 0, 1]
+view.CameraViewAngle = 32
 Render(view)
 SaveScreenshot(os.path.join(results, "rainfall.png"), view)
