@@ -74,6 +74,7 @@ void checkSpread(const NeighborGraph& graph)
 {
   const Index stride = std::max<Index>(1, graph.pointCount() / 1000);
   Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  Vector3d spread = Vector3d::Zero();
   for (Index i = 0; i < graph.pointCount(); i += stride)
   {
     for (const Index neighbor : graph.neighbors(i))
@@ -82,10 +83,13 @@ void checkSpread(const NeighborGraph& graph)
         (graph.points().col(neighbor) - graph.points().col(i)).stableNormalized();
       directions += direction * direction.transpose();
     }
+    spread = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(directions, Eigen::EigenvaluesOnly)
+               .eigenvalues();
+    if (spread[1] > 1e-2 * spread[2])
+    {
+      return; // mostly at the first point: no number of further directions could undo that
+    }
   }
-  const Vector3d spread =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(directions, Eigen::EigenvaluesOnly)
-      .eigenvalues();
   require(spread[1] > 1e-13 * spread[2], "points spread over a surface",
     std::to_string(graph.pointCount()) + " points on one line", "Choose another input.");
 }

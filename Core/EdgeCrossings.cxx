@@ -95,14 +95,14 @@ private:
     const double length =
       (this->function_.graph.points().col(neighbor) - this->function_.graph.points().col(point))
         .norm();
-    const bool isMutual = this->function_.graph.isEdge(neighbor, point);
     for (Index level = first; level < last; ++level)
     {
       // The ends lie on different sides, so they differ; rounding may still leave [0, 1].
       const double parameter = std::clamp((this->levels_[level] - here) / (there - here), 0.0, 1.0);
       Closest& closest = this->closest_[level - lowest];
       // The other half belongs to the neighbor, if it knows of this edge.
-      if ((parameter <= 0.5 || !isMutual) && parameter * length < closest.distance)
+      if (parameter * length < closest.distance &&
+        (parameter <= 0.5 || !this->function_.graph.isEdge(neighbor, point)))
       {
         closest = { { level, { point, neighbor, parameter } }, parameter * length };
       }
@@ -126,7 +126,7 @@ LevelCrossings thinned(
   const auto neighbors =
     static_cast<std::ptrdiff_t>(std::ceil(Pi * std::pow(std::min(spacing, hopLength), 2)));
 
-  std::vector<bool> blocked(crossings.size(), false);
+  std::vector<bool> isBlocked(graph.pointCount(), false);
   std::vector<bool> isReached(graph.pointCount(), false);
   std::vector<Index> reached;
   const auto reach = [&](Index point)
@@ -154,23 +154,44 @@ LevelCrossings thinned(
     for (const Index other : reached)
     {
       isReached[other] = false;
-      const auto crossing = std::lower_bound(crossings.begin(), crossings.end(), other,
-        [](const EdgeCrossing& a, Index b) { return a.from < b; });
-      if (crossing != crossings.end() && crossing->from == other)
-      {
-        blocked[static_cast<std::size_t>(crossing - crossings.begin())] = true;
-      }
+      isBlocked[other] = true;
     }
   };
 
   LevelCrossings result;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
+  for (const EdgeCrossing& crossing : crossings)
   {
-    if (!blocked[i])
+    if (!isBlocked[crossing.from])
     {
       poll();
-      result.push_back(crossings[i]);
-      blockAround(crossings[i].from);
+      result.push_back(crossing);
+      blockAround(crossing.from);
+    }
+  }
+  return result;
+}
+
+LevelCrossings chained(const LevelCrossings& crossings, const NeighborGraph& graph)
+{
+  std::vector<bool> isLeft(graph.pointCount(), false);
+  for (const EdgeCrossing& crossing : crossings)
+  {
+    isLeft[crossing.from] = true;
+  }
+  LevelCrossings result;
+  result.reserve(crossings.size());
+  for (const EdgeCrossing& start : crossings)
+  {
+    Index point = start.from;
+    while (isLeft[point])
+    {
+      isLeft[point] = false;
+      result.push_back(*std::lower_bound(crossings.begin(), crossings.end(), point,
+        [](const EdgeCrossing& crossing, Index other) { return crossing.from < other; }));
+      const Neighbors around = graph.neighbors(point);
+      const Index* next =
+        std::find_if(around.begin(), around.end(), [&](Index other) { return isLeft[other]; });
+      point = next != around.end() ? *next : point;
     }
   }
   return result;

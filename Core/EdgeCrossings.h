@@ -15,8 +15,8 @@ struct EdgeCrossing
   double parameter; ///< t of (1 - t) from + t to, in [0, 1]
 };
 
-/// The crossings of one level, ascending by `from`: at most one for each point, the one closest to
-/// it.
+/// The crossings of one level: at most one for each point, the one closest to it. Ascending by
+/// `from`, but for chained().
 using LevelCrossings = std::vector<EdgeCrossing>;
 
 /**
@@ -31,5 +31,8 @@ std::vector<LevelCrossings> findCrossings(
 /// those of neighboring points, one.
 LevelCrossings thinned(
   const LevelCrossings& crossings, const NeighborGraph& graph, double spacing, const Poll& poll);
+
+/// In an order in which most follow one that is close, along the curves to be.
+LevelCrossings chained(const LevelCrossings& crossings, const NeighborGraph& graph);
 
 } // namespace SurfaceScalars

@@ -7,6 +7,12 @@
 
 namespace SurfaceScalars
 {
+namespace
+{
+
+constexpr double LargestCorrection = 0.25; // of a linear solution, in widened sampling steps
+
+} // namespace
 
 EdgeSampler::EdgeSampler(const SampledFunction& function, const FitSize& size,
   const ContourParameters& parameters, const TracingLimits& limits)
@@ -62,6 +68,19 @@ std::optional<Vector3d> EdgeSampler::projectOnSurface(Vector3d place)
   return {};
 }
 
+/// Where a projection begins: the linear solution, put right by the model of the last sample if
+/// that is close.
+Vector3d EdgeSampler::startOf(const Vector3d& linear, double level, double farthest) const
+{
+  if (!this->last_ || !((linear - *this->last_).norm() < this->model_->reach))
+  {
+    return linear;
+  }
+  const Vector3d better = this->model_->solve(level, linear).value_or(linear);
+  // From another sheet of the surface it would be farther.
+  return (better - linear).norm() < farthest ? better : linear;
+}
+
 std::optional<LevelSetPoint> EdgeSampler::sample(const EdgeCrossing& crossing, double level)
 {
   const Vector3d from = this->function_.graph.points().col(crossing.from);
@@ -82,10 +101,13 @@ std::optional<LevelSetPoint> EdgeSampler::sample(const EdgeCrossing& crossing, d
   else
   {
     const double step = this->function_.graph.samplingStep(crossing.from) * this->limits_.widening;
-    std::optional<LevelSetPoint> point = project(*this->model_, level, linear,
-      { this->limits_.tolerance, 3.0 * step, this->limits_.maximumIterations });
+    std::optional<LevelSetPoint> point =
+      project(*this->model_, level, this->startOf(linear, level, LargestCorrection * step),
+        { this->limits_.tolerance, 3.0 * step, this->limits_.maximumIterations });
+    this->last_.reset();
     if (point)
     {
+      this->last_ = point->position;
       return point;
     }
   }

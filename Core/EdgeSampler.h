@@ -21,6 +21,7 @@ public:
   std::optional<LevelSetPoint> sample(const EdgeCrossing& crossing, double level);
 
 private:
+  Vector3d startOf(const Vector3d& linear, double level, double farthest) const;
   std::optional<Vector3d> solveAlongEdge(
     const Vector3d& from, const Vector3d& along, double parameter, double level);
   std::optional<Vector3d> projectOnSurface(Vector3d place);
@@ -30,6 +31,7 @@ private:
   SurfaceModel surface_;
   TracingLimits limits_;
   std::unique_ptr<LevelSetModel> model_;
+  std::optional<Vector3d> last_; ///< the sample that the model is centered at
 };
 
 } // namespace SurfaceScalars

@@ -57,8 +57,8 @@ double LevelSetWalker::stepAround()
 void LevelSetWalker::measureSupport(Station& station)
 {
   const std::vector<Index>& around = this->model_.samples();
-  const auto offsetOf = [&](Index i) -> Vector3d
-  { return this->function_.graph.points().col(i) - station.point.position; };
+  const Points& points = this->function_.graph.points();
+  const auto offsetOf = [&](Index i) -> Vector3d { return points.col(i) - station.point.position; };
   Vector3d mean = Vector3d::Zero();
   double nearest = INFINITY;
   for (const Index i : around)

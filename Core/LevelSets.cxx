@@ -137,8 +137,10 @@ std::vector<LevelCrossings> LevelSetTracing::findSpacedCrossings() const
   std::vector<LevelCrossings> crossings =
     findCrossings(this->function_, this->levels_, this->execution_.part(0.2, 0.25));
   parallelForEach(crossings.size(), this->execution_.part(0.25, 0.3),
-    [&](std::size_t level, const Poll& poll) {
-      crossings[level] = thinned(crossings[level], this->function_.graph, this->widening_, poll);
+    [&](std::size_t level, const Poll& poll)
+    {
+      const NeighborGraph& graph = this->function_.graph;
+      crossings[level] = chained(thinned(crossings[level], graph, this->widening_, poll), graph);
     });
   return crossings;
 }

@@ -1,11 +1,14 @@
 #include "LocalFit.h"
 
+#include "Monomials.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace SurfaceScalars
 {
@@ -16,28 +19,49 @@ namespace
 // only.
 constexpr double SingularFraction = 1e-9;
 
+// Of the shortest axis of a neighborhood, for a trace of 1; beyond these limits a slower way is
+// taken.
+constexpr int NewtonIterations = 8;
+constexpr double RootTolerance = 1e-15;
+constexpr double SmallestSpan = 1e-2; // product of the other two eigenvalues
+
 constexpr int Lanes = 8; // samples that are computed with side by side
 using Lane = Eigen::Array<double, Lanes, 1>;
 
-/// Index of the first monomial of a degree; monomial k of degree d is x^(d-k) y^k.
-constexpr int firstTerm(int degree)
+/// Unit eigenvector of the smallest eigenvalue of a covariance.
+Vector3d flattestDirection(const Eigen::Matrix3d& covariance)
 {
-  return degree * (degree + 1) / 2;
-}
-
-inline void monomials(int degree, double x, double y, double* terms)
-{
-  terms[0] = 1.0;
-  for (int d = 1; d <= degree; ++d)
+  // Below that eigenvalue the characteristic polynomial falls and is convex: Newton's method from 0
+  // ascends to it, in few steps where the points are flat.
+  const Eigen::Matrix3d scaled = covariance / covariance.trace();
+  const double minors = 0.5 * (1.0 - scaled.squaredNorm());
+  const double determinant = scaled.determinant();
+  double smallest = 0.0;
+  for (int i = 0; i < NewtonIterations; ++i)
   {
-    const double* lower = terms + firstTerm(d - 1);
-    double* current = terms + firstTerm(d);
-    for (int k = 0; k < d; ++k)
+    const double value = determinant - smallest * (minors - smallest * (1.0 - smallest));
+    const double fall = minors - smallest * (2.0 - 3.0 * smallest);
+    const double step = value / fall;
+    smallest += step;
+    if (std::abs(step) <= RootTolerance)
     {
-      current[k] = x * lower[k];
+      // The other two directions span the columns of what is left.
+      Eigen::Matrix3d left = scaled;
+      left.diagonal().array() -= smallest;
+      const Vector3d normals[] = { left.col(0).cross(left.col(1)), left.col(1).cross(left.col(2)),
+        left.col(2).cross(left.col(0)) };
+      const Vector3d& longest = *std::max_element(std::begin(normals), std::end(normals),
+        [](const Vector3d& a, const Vector3d& b) { return a.squaredNorm() < b.squaredNorm(); });
+      if (longest.norm() > SmallestSpan)
+      {
+        return longest.normalized();
+      }
+      break;
     }
-    current[d] = y * lower[d - 1];
   }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(covariance);
+  return axes.eigenvectors().col(0).normalized();
 }
 
 /// The matrix of the sums of products of two terms, of which few are different.
@@ -161,10 +185,7 @@ void LocalFit::findFrame()
   mean /= weight;
   const Eigen::Matrix3d covariance =
     Eigen::Matrix3d(moments.selfadjointView<Eigen::Lower>()) / weight - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  axes.computeDirect(covariance);
-
-  const Vector3d normal = axes.eigenvectors().col(0).normalized();
+  const Vector3d normal = flattestDirection(covariance);
   const Vector3d u = normal.unitOrthogonal();
   this->frame_ << u, normal.cross(u), normal;
 }
@@ -229,105 +250,6 @@ bool LocalFit::solve()
   this->coefficients_.col(0) *= this->scale_;
   this->coefficients_(0, 1) += this->valueOrigin_;
   return this->coefficients_.template topRows<Terms>().allFinite();
-}
-
-LocalFit::Jet LocalFit::jet(int which, const Vector2d& uv) const
-{
-  double terms[MaximumTerms];
-  monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
-  const auto c = this->coefficients_.col(which);
-  Jet jet{ this->slope(which, uv), Eigen::Matrix2d::Zero() };
-  for (int d = 2; d <= this->degree_; ++d)
-  {
-    const double* lower = terms + firstTerm(d - 2);
-    for (int y = 0; y <= d; ++y)
-    {
-      const double coefficient = c[firstTerm(d) + y];
-      const int x = d - y;
-      jet.hessian(0, 0) += x > 1 ? coefficient * x * (x - 1) * lower[y] : 0.0;
-      jet.hessian(0, 1) += x > 0 && y > 0 ? coefficient * x * y * lower[y - 1] : 0.0;
-      jet.hessian(1, 1) += y > 1 ? coefficient * y * (y - 1) * lower[y - 2] : 0.0;
-    }
-  }
-  jet.hessian /= this->scale_ * this->scale_;
-  jet.hessian(1, 0) = jet.hessian(0, 1);
-  return jet;
-}
-
-LocalFit::Slope LocalFit::slope(int which, const Vector2d& uv) const
-{
-  double terms[MaximumTerms];
-  monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
-  const double* c = this->coefficients_.col(which).data();
-  Slope slope{ c[0], Vector2d::Zero() };
-  for (int d = 1; d <= this->degree_; ++d)
-  {
-    const double* coefficients = c + firstTerm(d);
-    const double* current = terms + firstTerm(d);
-    const double* lower = terms + firstTerm(d - 1);
-    slope.value += coefficients[d] * current[d];
-    for (int y = 0; y < d; ++y)
-    {
-      slope.value += coefficients[y] * current[y];
-      // x^(d-y) y^y derives to terms of degree d - 1.
-      slope.gradient.x() += coefficients[y] * (d - y) * lower[y];
-      slope.gradient.y() += coefficients[y + 1] * (y + 1) * lower[y];
-    }
-  }
-  slope.gradient /= this->scale_;
-  return slope;
-}
-
-Vector3d LocalFit::lift(const Vector2d& uv) const
-{
-  return this->center_ + this->frame_ * Vector3d(uv.x(), uv.y(), this->heightSlope(uv).value);
-}
-
-Vector2d LocalFit::flatten(const Vector3d& p) const
-{
-  return (this->frame_.transpose() * (p - this->center_)).head<2>();
-}
-
-Vector3d LocalFit::normal(const Vector2d& uv) const
-{
-  const Vector2d slope = this->heightSlope(uv).gradient;
-  return (this->frame_ * Vector3d(-slope.x(), -slope.y(), 1.0)).normalized();
-}
-
-Vector3d LocalFit::gradient(const Vector2d& uv) const
-{
-  // Raise the index with the metric I + s s^T of the graph z(u, v), s its slope: (I + s s^T)^-1 = I
-  // - s s^T / (1 + s^T s).
-  const Vector2d slope = this->heightSlope(uv).gradient;
-  const Vector2d covector = this->valueSlope(uv).gradient;
-  const Vector2d tangent = covector - slope * (slope.dot(covector) / (1.0 + slope.squaredNorm()));
-  return this->frame_ * Vector3d(tangent.x(), tangent.y(), slope.dot(tangent));
-}
-
-double LocalFit::deviation(int which, const WeightedSamples& samples) const
-{
-  double squares = 0.0;
-  double weight = 0.0;
-  double squaredWeights = 0.0;
-  double terms[MaximumTerms];
-  for (Eigen::Index i = 0; i < samples.weights.size(); ++i)
-  {
-    const double w = samples.weights[i];
-    const Vector3d local = this->frame_.transpose() * (samples.points.col(i) - this->center_);
-    monomials(this->degree_, local.x() / this->scale_, local.y() / this->scale_, terms);
-    double fitted = 0.0;
-    for (int term = 0; term < termCount(this->degree_); ++term)
-    {
-      fitted += this->coefficients_(term, which) * terms[term];
-    }
-    const double residual = fitted - (which == 0 ? local.z() : samples.values[i]);
-    squares += w * residual * residual;
-    weight += w;
-    squaredWeights += w * w;
-  }
-  const double effectiveCount = weight * weight / squaredWeights;
-  const double freedom = 1.0 - std::min(0.85, termCount(this->degree_) / effectiveCount);
-  return std::sqrt(squares / weight / freedom);
 }
 
 } // namespace SurfaceScalars

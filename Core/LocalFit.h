@@ -62,6 +62,8 @@ public:
   Jet value(const Vector2d& uv) const { return this->jet(1, uv); }
   Slope heightSlope(const Vector2d& uv) const { return this->slope(0, uv); }
   Slope valueSlope(const Vector2d& uv) const { return this->slope(1, uv); }
+  Slope heightAtCenter() const { return this->slopeAtCenter(0); }
+  Slope valueAtCenter() const { return this->slopeAtCenter(1); }
 
   Vector3d lift(const Vector2d& uv) const; ///< the point of the surface over (u, v)
   Vector2d flatten(
@@ -82,6 +84,11 @@ public:
 
 private:
   Slope slope(int which, const Vector2d& uv) const;
+  Slope slopeAtCenter(int which) const
+  {
+    const auto terms = this->coefficients_.col(which);
+    return { terms[0], Vector2d(terms[1], terms[2]) / this->scale_ };
+  }
   Jet jet(int which, const Vector2d& uv) const;
   double deviation(int which, const WeightedSamples& samples) const;
   void collect(const WeightedSamples& samples);

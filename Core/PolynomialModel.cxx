@@ -13,7 +13,7 @@ namespace
 constexpr double LargestStep = 0.3;   // of one Newton iteration, in neighborhood radii
 constexpr double TrustedRadius = 1.0; // places farther from the center are not the model's business
 constexpr int NewtonIterations = 100; // few are needed but at the edges of a given function
-constexpr double NewtonTolerance = 1e-12; // in neighborhood radii
+constexpr double NewtonTolerance = 1e-8; // in neighborhood radii; its square is left
 
 class PolynomialModel : public LevelSetModel
 {
@@ -49,7 +49,7 @@ bool PolynomialModel::evaluateAtCenter()
 {
   this->reach = this->polynomials_.radius();
   const Eigen::Matrix3d& frame = this->fit_.frame();
-  const LocalFit::Slope height = this->fit_.heightSlope(Vector2d::Zero());
+  const LocalFit::Slope height = this->fit_.heightAtCenter();
   this->distance = -height.value;
   this->distanceGradient = frame * Vector3d(-height.gradient.x(), -height.gradient.y(), 1.0);
   if (this->function_.volumeFunction)
@@ -58,7 +58,7 @@ bool PolynomialModel::evaluateAtCenter()
   }
   else
   {
-    const LocalFit::Slope f = this->fit_.valueSlope(Vector2d::Zero());
+    const LocalFit::Slope f = this->fit_.valueAtCenter();
     this->value = f.value;
     this->valueGradient = frame.leftCols<2>() * f.gradient;
   }

@@ -123,12 +123,18 @@ double PolynomialNeighborhood::radiusAround(const Vector3d& place, int count)
 {
   Values& squared = this->weighted_.weights;
   squared = (this->weighted_.points.colwise() - place).colwise().squaredNorm().transpose();
-  this->scratch_.assign(squared.data(), squared.data() + squared.size());
-  // Few samples lie beyond, mostly the last: a heap of these costs less than std::nth_element.
-  const auto farthest = this->scratch_.rbegin();
-  const auto last = farthest + (squared.size() - std::min<Eigen::Index>(count, squared.size()));
-  std::partial_sort(farthest, last + 1, this->scratch_.rend(), std::greater<>());
-  const double radius = std::max(std::sqrt(*last), this->size_.radius);
+  const Eigen::Index last = std::min<Eigen::Index>(count, squared.size()) - 1;
+  double squaredRadius = squared[last];
+  // Where they were gathered, and next to it, the nearest come first.
+  if (!std::is_sorted(squared.data(), squared.data() + squared.size()))
+  {
+    this->scratch_.assign(squared.data(), squared.data() + squared.size());
+    // Few samples lie beyond: a heap of these costs less than std::nth_element.
+    const auto found = this->scratch_.rbegin() + (squared.size() - 1 - last);
+    std::partial_sort(this->scratch_.rbegin(), found + 1, this->scratch_.rend(), std::greater<>());
+    squaredRadius = *found;
+  }
+  const double radius = std::max(std::sqrt(squaredRadius), this->size_.radius);
   const double nearest = std::sqrt(squared.minCoeff()) / radius;
   return radius * (1.0 + VoidWidening * std::max(0.0, nearest - LargestVoid));
 }
