@@ -1,6 +1,5 @@
 #include "FieldSchemes.h"
 #include "GaussianAverage.h"
-#include "SampleSearch.h"
 
 #include <cmath>
 
@@ -14,18 +13,19 @@ class ExplicitMLS : public FieldApproximation
 public:
   ExplicitMLS(const FieldSamples& samples, const FieldParameters& parameters)
     : samples_(samples)
-    , parameters_(parameters)
-    , search_(samples.cloud)
+    , kernelWidth_(parameters.kernelWidth)
+    , search_(neighborhoodSearch(samples.cloud, parameters))
   {
   }
 
+  Eigen::Index expect(const PointsRef& places) override { return this->search_.expect(places); }
   bool center(const Vector3d& place) override;
   FieldJet jet(const Vector3d& place, Derivatives derivatives) const override;
 
 private:
   FieldSamples samples_;
-  FieldParameters parameters_;
-  SampleSearch search_;
+  double kernelWidth_;
+  NearestSearch search_;
   SampleRows points_;
   Values values_;
   double width_ = 1.0;
@@ -34,18 +34,17 @@ private:
 
 bool ExplicitMLS::center(const Vector3d& place)
 {
-  const double radius = searchAround(place, this->parameters_, this->search_);
-  const std::vector<Index>& near = this->search_.indices();
+  const std::vector<NearestSearch::Found>& near = this->search_.find(place);
   const auto count = static_cast<Eigen::Index>(near.size());
   this->points_.resize(count, 3);
   this->values_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    const Index sample = near[static_cast<std::size_t>(i)];
+    const Index sample = near[static_cast<std::size_t>(i)].index;
     this->points_.row(i) = this->samples_.cloud.points().col(sample);
     this->values_[i] = this->samples_.values[sample];
   }
-  this->width_ = averageWidth(this->parameters_.kernelWidth, radius);
+  this->width_ = averageWidth(this->kernelWidth_, this->search_.radius());
   return count > 0;
 }
 
@@ -57,15 +56,9 @@ FieldJet ExplicitMLS::jet(const Vector3d& place, Derivatives derivatives) const
 
 } // namespace
 
-double searchAround(const Vector3d& place, const FieldParameters& parameters, SampleSearch& search)
+NearestSearch neighborhoodSearch(const PointCloud& cloud, const FieldParameters& parameters)
 {
-  if (parameters.searchRadius > 0.0)
-  {
-    search.within(place, parameters.searchRadius);
-    return parameters.searchRadius;
-  }
-  search.nearest(place, parameters.neighborCount);
-  return search.reach();
+  return { cloud, static_cast<std::size_t>(parameters.neighborCount), parameters.searchRadius };
 }
 
 double averageWidth(double kernelWidth, double radius)

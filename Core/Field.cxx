@@ -6,7 +6,6 @@
 #include "FieldSchemes.h"
 #include "GlobalSystem.h"
 #include "MortonOrder.h"
-#include "SampleSearch.h"
 
 #include <algorithm>
 #include <chrono>
@@ -344,18 +343,20 @@ public:
   Evaluator(const Field& field, const PointCloud& cloud, const EvaluationParameters& parameters)
     : parameters_(parameters)
     , approximation_(field.approximation())
-    , nearest_(cloud)
+    , cloud_(cloud)
     , lowest_(field.model().lowest)
     , highest_(field.model().highest)
   {
   }
 
+  Eigen::Index expect(const PointsRef& places) { return this->approximation_->expect(places); }
   void evaluate(const Vector3d& place, Index target, FieldValues& result);
 
 private:
   const EvaluationParameters& parameters_;
   std::unique_ptr<FieldApproximation> approximation_;
-  SampleSearch nearest_;
+  const PointCloud& cloud_;
+  Neighborhood nearest_;
   double lowest_;
   double highest_;
 };
@@ -364,8 +365,8 @@ void Evaluator::evaluate(const Vector3d& place, Index target, FieldValues& resul
 {
   if (this->parameters_.maximumDistance > 0.0)
   {
-    this->nearest_.nearest(place, 1);
-    if (this->nearest_.reach() > this->parameters_.maximumDistance)
+    this->cloud_.nearest(place, 1, this->nearest_);
+    if (std::sqrt(this->nearest_.squaredDistances.front()) > this->parameters_.maximumDistance)
     {
       return;
     }
@@ -415,8 +416,14 @@ FieldValues Field::evaluate(const PointsRef& targets, const EvaluationParameters
       Evaluator evaluator(*this, cloud, parameters);
       auto lastPoll = std::chrono::steady_clock::now();
       const std::size_t end = std::min(places.targets.size(), (block + 1) * Grain);
-      for (std::size_t i = block * Grain; i < end; ++i)
+      std::size_t expected = block * Grain;
+      for (std::size_t i = expected; i < end; ++i)
       {
+        if (i == expected)
+        {
+          expected += static_cast<std::size_t>(evaluator.expect(places.points.middleCols(
+            static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(end - i))));
+        }
         evaluator.evaluate(
           places.points.col(static_cast<Eigen::Index>(i)), places.targets[i], result);
         const auto now = std::chrono::steady_clock::now();

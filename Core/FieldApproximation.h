@@ -48,6 +48,11 @@ class SURFACESCALARSCORE_EXPORT FieldApproximation
 public:
   virtual ~FieldApproximation();
 
+  /// The places that come next, at least one, in an order in which neighbors follow each other:
+  /// what the first of them have in common is found for all of these at once. Only makes center()
+  /// faster. @returns how many these are
+  virtual Eigen::Index expect(const PointsRef& places);
+
   /// @returns false where f~ is not defined: no sample is within the search radius, or those there
   /// do not determine it
   /// @throws InvalidInput if the system of a neighborhood is singular at machine precision

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FieldApproximation.h"
+#include "NearestSearch.h"
 
 #include <memory>
 #include <vector>
@@ -8,13 +9,11 @@
 namespace SurfaceScalars
 {
 
-class SampleSearch;
-
 // One for each thread; the samples must outlive them. The parameters are checked and complete: k or
 // a radius is given, while a kernel width of 0 follows the neighborhood.
 
-/// Finds the neighborhood of a place. @returns its radius sigma
-double searchAround(const Vector3d& place, const FieldParameters& parameters, SampleSearch& search);
+/// For the neighborhoods of ExplicitMLS and LocalRBF.
+NearestSearch neighborhoodSearch(const PointCloud& cloud, const FieldParameters& parameters);
 
 /// h of (6) in a neighborhood of this radius: sigma / sqrt(3) unless it is given.
 double averageWidth(double kernelWidth, double radius);

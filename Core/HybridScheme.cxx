@@ -1,5 +1,4 @@
 #include "FieldSchemes.h"
-#include "SampleSearch.h"
 
 #include <cmath>
 
@@ -14,17 +13,20 @@ public:
   HybridScheme(
     const FieldSamples& samples, const FieldParameters& parameters, const std::vector<char>& marked)
     : marked_(marked)
-    , nearest_(samples.cloud)
+    , cloud_(samples.cloud)
     , average_(makeExplicitMLS(samples, parameters))
     , interpolant_(makeLocalRBF(samples, parameters))
     , current_(this->average_.get())
   {
   }
 
+  /// Where samples are not marked: these are most.
+  Eigen::Index expect(const PointsRef& places) override { return this->average_->expect(places); }
+
   bool center(const Vector3d& place) override
   {
-    this->nearest_.nearest(place, 1);
-    const bool missed = this->marked_[this->nearest_.indices().front()] != 0;
+    this->cloud_.nearest(place, 1, this->nearest_);
+    const bool missed = this->marked_[this->nearest_.indices.front()] != 0;
     this->current_ = missed ? this->interpolant_.get() : this->average_.get();
     return this->current_->center(place);
   }
@@ -35,7 +37,8 @@ public:
 
 private:
   const std::vector<char>& marked_;
-  SampleSearch nearest_;
+  const PointCloud& cloud_;
+  Neighborhood nearest_;
   std::unique_ptr<FieldApproximation> average_;
   std::unique_ptr<FieldApproximation> interpolant_;
   FieldApproximation* current_;
@@ -58,17 +61,17 @@ std::vector<char> markMissedSamples(
     [&](std::size_t begin, std::size_t end)
     {
       const auto approximation = makeExplicitMLS(samples, parameters);
-      SampleSearch search(samples.cloud);
+      NearestSearch search = neighborhoodSearch(samples.cloud, parameters);
       for (std::size_t i = begin; i < end; ++i)
       {
         // e_MLS of sec. 3.3: the average over the neighborhood, at each of its samples.
         const Vector3d place = samples.cloud.points().col(static_cast<Eigen::Index>(i));
         approximation->center(place);
         double squares = 0.0;
-        searchAround(place, parameters, search);
-        const std::vector<Index>& near = search.indices();
-        for (const Index j : near)
+        const std::vector<NearestSearch::Found>& near = search.find(place);
+        for (const NearestSearch::Found& found : near)
         {
+          const Index j = found.index;
           const double average =
             approximation->jet(samples.cloud.points().col(j), Derivatives::None).value;
           squares += std::pow(average - samples.values[j], 2);

@@ -2,8 +2,8 @@
 #include "FieldSchemes.h"
 #include "NumberText.h"
 #include "RadialBasisFit.h"
-#include "SampleSearch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace SurfaceScalars
@@ -42,10 +42,11 @@ public:
   LocalRBF(const FieldSamples& samples, const FieldParameters& parameters)
     : samples_(samples)
     , parameters_(parameters)
-    , search_(samples.cloud)
+    , search_(neighborhoodSearch(samples.cloud, parameters))
   {
   }
 
+  Eigen::Index expect(const PointsRef& places) override { return this->search_.expect(places); }
   bool center(const Vector3d& place) override;
   FieldJet jet(const Vector3d& place, Derivatives derivatives) const override
   {
@@ -58,7 +59,8 @@ private:
 
   FieldSamples samples_;
   FieldParameters parameters_;
-  SampleSearch search_;
+  NearestSearch search_;
+  std::vector<Index> found_;     // in the order of the cloud
   std::vector<Index> neighbors_; // that the fit is made of
   Points centers_;
   Values values_;
@@ -67,20 +69,24 @@ private:
 
 bool LocalRBF::center(const Vector3d& place)
 {
-  searchAround(place, this->parameters_, this->search_);
-  const std::vector<Index>& found = this->search_.indices();
-  if (found.empty() || found == this->neighbors_)
+  this->found_.clear();
+  for (const NearestSearch::Found& found : this->search_.find(place))
   {
-    return !found.empty(); // one fit serves all places that have the same neighbors
+    this->found_.push_back(found.index);
   }
-  if (found.size() > MostNeighbors)
+  std::sort(this->found_.begin(), this->found_.end());
+  if (this->found_.empty() || this->found_ == this->neighbors_)
+  {
+    return !this->found_.empty(); // one fit serves all places that have the same neighbors
+  }
+  if (this->found_.size() > MostNeighbors)
   {
     throw InvalidInput("at most " + std::to_string(MostNeighbors) + " samples in a neighborhood",
-      std::to_string(found.size()), "Lower SearchRadius or NeighborCount.");
+      std::to_string(this->found_.size()), "Lower SearchRadius or NeighborCount.");
   }
   this->neighbors_.clear(); // until the new fit is there
-  this->fit(found);
-  this->neighbors_ = found;
+  this->fit(this->found_);
+  this->neighbors_ = this->found_;
   return true;
 }
 

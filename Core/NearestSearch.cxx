@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace SurfaceScalars
 {
@@ -19,101 +20,161 @@ constexpr double LargestGrowth = 2.0;
 constexpr double ReachMargin = 1.2; // over the mean, in roots of the number: so little it varies
 constexpr double RoundingMargin = 1e-12;
 
+// Of places that share what is gathered; measured.
+constexpr Eigen::Index LongestRun = 24;
+constexpr double RunExtent = 2.0; // from the first of them, in reaches
+
 // Along a curve, in reaches.
 constexpr double Extent = 0.6;
 constexpr double Ahead = 0.54; // so that the place itself is within
 
+bool isBefore(const NearestSearch::Found& a, const NearestSearch::Found& b)
+{
+  return a.squaredDistance < b.squaredDistance ||
+    (a.squaredDistance == b.squaredDistance && a.index < b.index);
+}
+
 } // namespace
 
-NearestSearch::NearestSearch(const PointCloud& cloud, std::size_t count)
+NearestSearch::NearestSearch(const PointCloud& cloud, std::size_t count, double radius)
   : cloud_(cloud)
   , count_(count)
-  , coordinates_(MostCandidates * count, 3)
-  , squaredDistances_(MostCandidates * count)
-  , near_(MostCandidates * count)
-  , sorted_(MostCandidates * count)
+  , givenRadius_(radius)
+  , reach_(radius)
   , starts_(Classes * count + 2)
 {
 }
 
+Eigen::Index NearestSearch::expect(const PointsRef& places)
+{
+  const Eigen::Index most = std::min(places.cols(), LongestRun);
+  Eigen::Index length = 1; // where places jump, fewer
+  while (length < most && (places.col(length) - places.col(0)).norm() <= RunExtent * this->reach_)
+  {
+    ++length;
+  }
+  const auto run = places.leftCols(length);
+  const Vector3d center = 0.5 * (run.rowwise().minCoeff() + run.rowwise().maxCoeff());
+  this->gather(center, std::sqrt((run.colwise() - center).colwise().squaredNorm().maxCoeff()));
+  return length;
+}
+
+/// What places up to `extent` from `center` need.
 void NearestSearch::gather(const Vector3d& center, double extent)
 {
   this->center_ = center;
-  this->radius_ = extent + this->reach_;
+  this->extent_ = (1.0 + RoundingMargin) * extent;
+  this->radius_ = this->extent_ + this->reach_;
   this->candidates_.clear();
-  if (!this->cloud_.tree().gather(center, (1.0 + RoundingMargin) * this->radius_,
-        MostCandidates * this->count_, this->candidates_))
+  const bool isCounted = !(this->givenRadius_ > 0.0);
+  const std::size_t most =
+    isCounted ? MostCandidates * this->count_ : std::numeric_limits<std::size_t>::max();
+  if (!this->cloud_.tree().gather(
+        center, (1.0 + RoundingMargin) * this->radius_, most, this->candidates_))
   {
     this->candidates_.clear();
     this->radius_ = 0.0;
   }
-  for (std::size_t i = 0; i < this->candidates_.size(); ++i)
+  if (!isCounted)
   {
-    this->coordinates_.row(static_cast<Eigen::Index>(i)) =
-      this->cloud_.points().col(this->candidates_[i]).transpose();
+    std::sort(this->candidates_.begin(), this->candidates_.end());
+  }
+  const auto count = static_cast<Eigen::Index>(this->candidates_.size());
+  if (this->squaredDistances_.size() < count)
+  {
+    this->coordinates_.resize(2 * count, 3);
+    this->squaredDistances_.resize(2 * count);
+    this->near_.resize(2 * this->candidates_.size());
+  }
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    this->coordinates_.row(i) =
+      this->cloud_.points().col(this->candidates_[static_cast<std::size_t>(i)]).transpose();
   }
 }
 
-/// The radius around a place within which all points are candidates.
-double NearestSearch::known(const Vector3d& place) const
+/// The next places are expected where the last step leads.
+void NearestSearch::gatherAhead(const Vector3d& place)
 {
-  return this->radius_ - (place - this->center_).norm();
+  const Vector3d step = place - this->lastPlace_;
+  const double length = step.norm();
+  const double ahead = length > 0.0 && length < this->reach_ ? Ahead * this->reach_ / length : 0.0;
+  this->gather(place + ahead * step, Extent * this->reach_);
 }
 
-const std::vector<NearestSearch::Found>& NearestSearch::nearest(const Vector3d& place)
+const std::vector<NearestSearch::Found>& NearestSearch::find(const Vector3d& place)
 {
-  if (!this->choose(place, std::min(this->known(place), this->reach_)))
+  if (!((place - this->center_).norm() <= this->extent_))
+  {
+    this->gatherAhead(place);
+  }
+  this->lastPlace_ = place;
+  this->measure(place);
+  if (this->givenRadius_ > 0.0)
+  {
+    this->findWithin();
+    return this->found_;
+  }
+  const double known = this->radius_ - (place - this->center_).norm();
+  if (!this->choose(std::min(known, this->reach_)))
   {
     this->searchTree(place);
   }
-  const double distance = std::sqrt(this->sorted_[this->count_ - 1].squaredDistance);
+  this->learnReach();
+  return this->found_;
+}
+
+double NearestSearch::radius() const
+{
+  return this->givenRadius_ > 0.0 ? this->givenRadius_
+                                  : std::sqrt(this->found_.back().squaredDistance);
+}
+
+void NearestSearch::learnReach()
+{
+  const double distance = this->radius();
   const double mean = this->meanDistance_ > 0.0 ? this->meanDistance_ : distance;
   // A stray point is not to make all candidates of those after it.
   this->meanDistance_ = mean + Smoothing * (std::min(distance, LargestGrowth * mean) - mean);
   const double spread = 1.0 / std::sqrt(static_cast<double>(this->count_));
   this->reach_ = (1.0 + ReachMargin * spread) * this->meanDistance_;
-  return this->sorted_;
 }
 
-void NearestSearch::follow(const Vector3d& place, Neighborhood& result)
+void NearestSearch::measure(const Vector3d& place)
 {
-  if (this->known(place) < this->reach_)
+  const auto count = static_cast<Eigen::Index>(this->candidates_.size());
+  const auto squared = [&](int axis)
+  { return (this->coordinates_.col(axis).head(count) - place[axis]).square(); };
+  this->squaredDistances_.head(count) = squared(0) + squared(1) + squared(2);
+}
+
+void NearestSearch::findWithin()
+{
+  const double limit = this->givenRadius_ * this->givenRadius_;
+  this->found_.resize(this->candidates_.size());
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < this->candidates_.size(); ++i)
   {
-    // The next places are expected where the last step leads.
-    const Vector3d step = place - this->lastPlace_;
-    const double length = step.norm();
-    const double ahead =
-      length > 0.0 && length < this->reach_ ? Ahead * this->reach_ / length : 0.0;
-    this->gather(place + ahead * step, Extent * this->reach_);
+    const double squared = this->squaredDistances_[static_cast<Eigen::Index>(i)];
+    this->found_[found] = { squared, this->candidates_[i] };
+    found += squared < limit ? 1 : 0; // no branch: it could not be foretold
   }
-  this->lastPlace_ = place;
-  this->nearest(place);
-  result.indices.resize(this->count_);
-  result.squaredDistances.resize(this->count_);
-  for (std::size_t i = 0; i < this->count_; ++i)
-  {
-    result.indices[i] = this->sorted_[i].index;
-    result.squaredDistances[i] = this->sorted_[i].squaredDistance;
-  }
+  this->found_.resize(found);
 }
 
 /// Chooses among the candidates within reach. @returns whether these are enough
-bool NearestSearch::choose(const Vector3d& place, double reach)
+bool NearestSearch::choose(double reach)
 {
   const double limit = reach * reach;
   if (!(reach > 0.0) || !std::isnormal(static_cast<double>(Classes * this->count_) / limit))
   {
     return false;
   }
-  const auto count = static_cast<Eigen::Index>(this->candidates_.size());
-  const auto squared = [&](int axis)
-  { return (this->coordinates_.col(axis).head(count) - place[axis]).square(); };
-  this->squaredDistances_.head(count) = squared(0) + squared(1) + squared(2);
   std::size_t near = 0;
-  for (Eigen::Index i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < this->candidates_.size(); ++i)
   {
-    this->near_[near] = static_cast<std::size_t>(i);
-    near += this->squaredDistances_[i] < limit ? 1 : 0; // no branch: it could not be foretold
+    this->near_[near] = i;
+    near += this->squaredDistances_[static_cast<Eigen::Index>(i)] < limit ? 1 : 0;
   }
   if (near < this->count_)
   {
@@ -125,7 +186,7 @@ bool NearestSearch::choose(const Vector3d& place, double reach)
 
 /// On a surface squared distances are spread evenly: counting sorts them into classes of about one
 /// each, with little left to insertion.
-void NearestSearch::sortNear(std::size_t count, double limit)
+void NearestSearch::sortNear(std::size_t near, double limit)
 {
   const std::size_t classes = Classes * this->count_;
   const double scale = static_cast<double>(classes) / limit;
@@ -134,8 +195,9 @@ void NearestSearch::sortNear(std::size_t count, double limit)
     return static_cast<std::size_t>(
       scale * this->squaredDistances_[static_cast<Eigen::Index>(candidate)]);
   };
+  this->found_.resize(near);
   std::fill(this->starts_.begin(), this->starts_.end(), 0);
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < near; ++i)
   {
     ++this->starts_[classOf(this->near_[i]) + 1];
   }
@@ -143,32 +205,43 @@ void NearestSearch::sortNear(std::size_t count, double limit)
   {
     this->starts_[i + 1] += this->starts_[i];
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < near; ++i)
   {
     const std::size_t candidate = this->near_[i];
-    this->sorted_[this->starts_[classOf(candidate)]++] = {
+    this->found_[this->starts_[classOf(candidate)]++] = {
       this->squaredDistances_[static_cast<Eigen::Index>(candidate)], this->candidates_[candidate]
     };
   }
-  for (std::size_t i = 1; i < count; ++i)
+  for (std::size_t i = 1; i < near; ++i)
   {
-    const Found moved = this->sorted_[i];
+    const Found moved = this->found_[i];
     std::size_t j = i;
-    for (; j > 0 && moved.squaredDistance < this->sorted_[j - 1].squaredDistance; --j)
+    for (; j > 0 && isBefore(moved, this->found_[j - 1]); --j)
     {
-      this->sorted_[j] = this->sorted_[j - 1];
+      this->found_[j] = this->found_[j - 1];
     }
-    this->sorted_[j] = moved;
+    this->found_[j] = moved;
   }
+  this->found_.resize(this->count_);
 }
 
 void NearestSearch::searchTree(const Vector3d& place)
 {
-  this->cloud_.nearest(place, static_cast<int>(this->count_), this->found_);
-  for (std::size_t i = 0; i < this->count_; ++i)
+  const std::size_t enough = std::min<std::size_t>(this->count_ + 1, this->cloud_.pointCount());
+  this->cloud_.nearest(place, static_cast<int>(enough), this->inTree_);
+  const double last = this->inTree_.squaredDistances[this->count_ - 1];
+  if (last == this->inTree_.squaredDistances.back() && last > 0.0)
   {
-    this->sorted_[i] = { this->found_.squaredDistances[i], this->found_.indices[i] };
+    // Equally far ones: all of them, to take the first.
+    this->cloud_.within(place, (1.0 + RoundingMargin) * std::sqrt(last), this->inTree_);
   }
+  this->found_.clear();
+  for (std::size_t i = 0; i < this->inTree_.indices.size(); ++i)
+  {
+    this->found_.push_back({ this->inTree_.squaredDistances[i], this->inTree_.indices[i] });
+  }
+  std::sort(this->found_.begin(), this->found_.end(), isBefore);
+  this->found_.resize(this->count_);
 }
 
 } // namespace SurfaceScalars

@@ -16,10 +16,6 @@ namespace
 
 constexpr std::size_t Grain = 1024; // points per block of a parallel loop
 
-// Of points that share a search; measured.
-constexpr std::size_t LongestRun = 24;
-constexpr double RunExtent = 2.0; // from the first of them, in reaches
-
 const PointsRef& requireTwo(const PointsRef& points)
 {
   if (points.cols() < 2)
@@ -28,26 +24,6 @@ const PointsRef& requireTwo(const PointsRef& points)
       "at least 2 points", std::to_string(points.cols()), "Choose a larger input.");
   }
   return points;
-}
-
-/// How many points from `begin` on are to share a search: where they jump, fewer.
-Eigen::Index runLength(const Points& points, std::size_t begin, std::size_t end, double reach)
-{
-  const auto first = static_cast<Eigen::Index>(begin);
-  const auto most = static_cast<Eigen::Index>(std::min(end - begin, LongestRun));
-  Eigen::Index length = 1;
-  while (
-    length < most && (points.col(first + length) - points.col(first)).norm() <= RunExtent * reach)
-  {
-    ++length;
-  }
-  return length;
-}
-
-void gatherAround(const PointsRef& run, NearestSearch& search)
-{
-  const Vector3d center = 0.5 * (run.rowwise().minCoeff() + run.rowwise().maxCoeff());
-  search.gather(center, std::sqrt((run.colwise() - center).colwise().squaredNorm().maxCoeff()));
 }
 
 /// The first `count` of those found that are not the point itself.
@@ -101,12 +77,12 @@ void NeighborGraph::linkNearest(const Execution& execution)
       NearestSearch search(*this, this->count_ + 1);
       while (begin < end)
       {
-        const Eigen::Index size = runLength(this->points(), begin, end, search.reach());
-        gatherAround(this->points().middleCols(static_cast<Eigen::Index>(begin), size), search);
+        const Eigen::Index size = search.expect(this->points().middleCols(
+          static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)));
         for (const std::size_t next = begin + static_cast<std::size_t>(size); begin < next; ++begin)
         {
           const auto point = static_cast<Index>(begin);
-          copyOthers(search.nearest(this->points().col(point)), point,
+          copyOthers(search.find(this->points().col(point)), point,
             &this->indices_[begin * this->count_], this->count_);
         }
       }

@@ -1,9 +1,8 @@
 #include "FieldSchemes.h"
 #include "LocalFit.h"
 #include "PolynomialNeighborhood.h"
-#include "SampleSearch.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace SurfaceScalars
 {
@@ -16,17 +15,22 @@ public:
   ParameterizedMLS(const FieldSamples& samples, const FieldParameters& parameters)
     : polynomials_(samples.cloud, samples.values,
         { parameters.neighborCount, parameters.searchRadius }, parameters.polynomialDegree)
-    , nearest_(samples.cloud)
+    , cloud_(samples.cloud)
     , searchRadius_(parameters.searchRadius)
   {
   }
 
+  Eigen::Index expect(const PointsRef& places) override
+  {
+    return this->polynomials_.expect(places);
+  }
   bool center(const Vector3d& place) override;
   FieldJet jet(const Vector3d& place, Derivatives derivatives) const override;
 
 private:
   PolynomialNeighborhood polynomials_;
-  SampleSearch nearest_;
+  const PointCloud& cloud_;
+  Neighborhood nearest_;
   double searchRadius_;
 };
 
@@ -34,8 +38,8 @@ bool ParameterizedMLS::center(const Vector3d& place)
 {
   if (this->searchRadius_ > 0.0)
   {
-    this->nearest_.nearest(place, 1);
-    if (this->nearest_.reach() > this->searchRadius_)
+    this->cloud_.nearest(place, 1, this->nearest_);
+    if (std::sqrt(this->nearest_.squaredDistances.front()) > this->searchRadius_)
     {
       return false;
     }

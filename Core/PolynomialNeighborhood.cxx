@@ -86,7 +86,13 @@ void PolynomialNeighborhood::gatherNearest(const Vector3d& place, int count)
 {
   if (count == this->size_.count)
   {
-    this->search_.follow(place, this->near_);
+    this->near_.indices.clear();
+    this->near_.squaredDistances.clear();
+    for (const NearestSearch::Found& found : this->search_.find(place))
+    {
+      this->near_.indices.push_back(found.index);
+      this->near_.squaredDistances.push_back(found.squaredDistance);
+    }
   }
   else
   {

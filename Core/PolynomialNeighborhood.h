@@ -30,6 +30,9 @@ public:
   PolynomialNeighborhood(
     const PointCloud& cloud, const Values& values, const FitSize& size, int degree);
 
+  /// As FieldApproximation::expect().
+  Eigen::Index expect(const PointsRef& places) { return this->search_.expect(places); }
+
   /// @returns false where the samples do not even determine a plane
   bool center(const Vector3d& place);
 
