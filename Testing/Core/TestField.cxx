@@ -74,6 +74,43 @@ TEST(Field, targetsDoNotInfluenceEachOther)
   }
 }
 
+// So it is where targets share searches, being many, and where samples of a lattice are equally
+// far, so that a neighborhood of k has to choose among them.
+TEST(Field, closeTargetsDoNotInfluenceEachOther)
+{
+  constexpr int Side = 24;
+  Points lattice(3, Side * Side);
+  for (int i = 0; i < lattice.cols(); ++i)
+  {
+    lattice.col(i) << i % Side, i / Side, 0.0;
+  }
+  const Values values = lattice.row(0).array().square().sin();
+  Points targets(3, 4 * lattice.cols());
+  for (int i = 0; i < targets.cols(); ++i)
+  {
+    targets.col(i) << 0.5 * (i % (2 * Side)), 0.5 * (i / (2 * Side)), i % 3 == 0 ? 0.25 : 0.0;
+  }
+  for (const Scheme scheme : { Scheme::ExplicitMLS, Scheme::LocalRBF, Scheme::Hybrid })
+  {
+    for (const double radius : { 0.0, 2.0 })
+    {
+      FieldParameters parameters = Truth::parametersOf(scheme);
+      parameters.neighborCount = 7;
+      parameters.searchRadius = radius;
+      SCOPED_TRACE(Truth::describe(parameters));
+      const Field field = Field::fit(lattice, values, parameters);
+      const FieldValues together = field.evaluate(targets, withHessian());
+      for (Eigen::Index i = 0; i < targets.cols(); i += 7)
+      {
+        const FieldValues alone = field.evaluate(targets.col(i), withHessian());
+        EXPECT_EQ(1, together.valid[static_cast<std::size_t>(i)]);
+        EXPECT_EQ(alone.values[0], together.values[i]);
+        EXPECT_EQ(alone.hessians.col(0), together.hessians.col(i));
+      }
+    }
+  }
+}
+
 // f~ follows the samples when they are moved far away or measured in another unit.
 TEST(Field, doesNotDependOnOriginAndUnit)
 {
