@@ -74,50 +74,53 @@ weights = 1.0 / distances ** 2
 rows = [("nearest gauge (Voronoi)", measured[distances.argmin(axis=1)]),
         ("inverse squared distance", (weights @ measured) / weights.sum(axis=1)),
         (f"GlobalRBF, {chosen}", predictions[chosen])]
-print("\nheld-out gauges           root mean square  mean absolute  largest  lowest prediction")
+print("\nheld-out gauges           root mean square  mean absolute  largest  of largest rain  lowest prediction")
 for name, prediction in rows:
     errors = prediction - rain
     print(f"{name:25} {root_mean_square(errors):16.1f} {abs(errors).mean():14.1f} {abs(errors).max():8.0f} "
-          f"{prediction.min():10.0f}")
+          f"{abs(errors).max() / rain.max():15.2f} {prediction.min():18.0f}")
 
 # The map.
 terrain = predict(elevation, Kernel=chosen)
 terrain.UpdatePipeline()
 SaveData(os.path.join(results, "rainfall.vtp"), OutputPort(terrain, 1), DataMode="Binary")
-relief = WarpByScalar(Input=terrain, Scalars=["POINTS", "Elevation"], ScaleFactor=5)
-surface = ExtractSurface(Input=relief)
-normals = GenerateSurfaceNormals(Input=surface)
-lines = Contour(Input=normals, ContourBy=["POINTS", "Predicted"], Isosurfaces=[50 * i for i in range(1, 12)])
+relief = ExtractSurface(Input=WarpByScalar(Input=terrain, Scalars=["POINTS", "Elevation"], ScaleFactor=3))
+surface = GenerateSurfaceNormals(Input=relief)
+lines = Contour(Input=surface, ContourBy=["POINTS", "Predicted"], Isosurfaces=[50 * i for i in range(1, 12)])
+stations = Glyph(Input=observed, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=["POINTS", "No scale array"],
+                 ScaleFactor=4000)
 
-view = CreateRenderView(ViewSize=[1600, 1000])
+view = CreateRenderView(ViewSize=[1400, 840])
 view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
 view.Background = [1, 1, 1]
-shown = Show(normals, view)
+shown = Show(surface, view)
 ColorBy(shown, ("POINTS", "Predicted"))
+shown.Ambient = 0.1
 colors = GetColorTransferFunction("Predicted")
 colors.ApplyPreset("Blues", True)
 colors.InvertTransferFunction()
 colors.RescaleTransferFunction(0, float(measured.max()))
 bar = GetScalarBar(colors, view)
-bar.Title = "Rain, 1/10 mm"
-bar.ComponentTitle = ""
+bar.Title, bar.ComponentTitle = "Rain, 1/10 mm", ""
+bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", [0.3, 0.02]
+bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 22
+bar.TitleFontSize = bar.LabelFontSize = 22
 bar.TitleColor = bar.LabelColor = [0, 0, 0]
 bar.RangeLabelFormat = bar.LabelFormat = "%.0f"
 bar.AutomaticLabelFormat = 0
 shown.SetScalarBarVisibility(view, True)
-drawn = Show(lines, view)
-ColorBy(drawn, None)
-drawn.DiffuseColor = [0.1, 0.1, 0.25]
-drawn.LineWidth = 2
-stations = Show(Glyph(Input=observed, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=["POINTS", "No scale array"],
-                      ScaleFactor=4000), view)
-ColorBy(stations, None)
-stations.DiffuseColor = [0.9, 0.3, 0.1]
-stations.Position = [0, 0, 12000]  # above the terrain
-view.CameraPosition = [4000, -270000, 430000]
-view.CameraFocalPoint = [4000, -12000, 0]
+for source, color, lift in [(lines, [0.1, 0.1, 0.25], 2500), (stations, [0.9, 0.3, 0.1], 11000)]:
+    drawn = Show(source, view)
+    ColorBy(drawn, None)
+    drawn.AmbientColor = drawn.DiffuseColor = color
+    drawn.LineWidth = 2
+    drawn.Position = [0, 0, lift]  # above the terrain
+Render(view)  # the first time it moves the camera
+west, east, south, north = surface.GetDataInformation().GetBounds()[:4]
+middle = [(west + east) / 2, (south + north) / 2]
+view.CameraFocalPoint = [middle[0], middle[1] - 26000, 0]
+view.CameraPosition = [middle[0], middle[1] - 278000, 430000]
 view.CameraViewUp = [0, 0, 1]
-view.CameraViewAngle = 32
-Render(view)
+view.CameraViewAngle = 30
 SaveScreenshot(os.path.join(results, "rainfall.png"), view)

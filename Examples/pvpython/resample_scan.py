@@ -30,6 +30,8 @@ def cloud(chosen, **arrays):
     data = vtk.vtkPolyData()
     data.SetPoints(vtk.vtkPoints())
     data.GetPoints().SetData(numpy_to_vtk(points[chosen], deep=True))
+    data.SetVerts(vtk.vtkCellArray())  # nothing is drawn without cells
+    data.GetVerts().InsertNextCell(len(chosen), range(len(chosen)))
     for name, values in arrays.items():
         array = numpy_to_vtk(values[chosen], deep=True)
         array.SetName(name)
@@ -58,22 +60,26 @@ for scheme in ["ExplicitMLS", "ParameterizedMLS", "LocalRBF", "Hybrid"]:
 
 if len(sys.argv) > 4:
     layout = CreateLayout("side by side")
-    views = []
-    for shown, size in [(known, 4), (best, 2)]:
-        view = CreateView("RenderView")
-        views.append(view)
-        AssignViewToLayout(view, layout, len(views))
+    layout.SplitHorizontal(0, 0.5)
+    for cell, shown, size in [(1, known, 9), (2, best, 4)]:  # points so large that they close the gaps
+        view = CreateRenderView()
+        layout.AssignView(cell, view)
         view.OrientationAxesVisibility = 0
         view.UseColorPaletteForBackground = 0
         view.Background = [1, 1, 1]
         drawn = Show(shown, view)
         drawn.SetRepresentationType("Points")
         drawn.PointSize = size
-        drawn.Ambient = 1
-        drawn.Diffuse = 0
+        drawn.Ambient, drawn.Diffuse = 1, 0
         ColorBy(drawn, ("POINTS", "Brightness"))
+        Render(view)
+        view.CameraFocalPoint = [0, 0, 0]
+        view.CameraPosition = [1.4, -2.6, 0.9]  # from the front
+        view.CameraViewUp = [0, 0, 1]
+        ResetCamera(view)
+        view.GetActiveCamera().Dolly(1.5)
     colors = GetColorTransferFunction("Brightness")
     colors.ApplyPreset("Grayscale", True)
     colors.RescaleTransferFunction(0, 255)
-    print(lion.GetBounds())
-    SaveScreenshot(sys.argv[4], layout, ImageResolution=[1600, 900])
+    layout.SetSize(1400, 900)
+    SaveScreenshot(sys.argv[4], layout, ImageResolution=[1400, 900])
