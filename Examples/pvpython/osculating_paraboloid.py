@@ -62,12 +62,13 @@ view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
 view.Background = [1, 1, 1]
 for source, color in [(below, [0.95, 0.95, 0.93]), (balls(points, 0.002), [0.6, 0.6, 0.6]),
-                      (GenerateSurfaceNormals(Input=paraboloid), [1, 0.8, 0.2]), (Tube(Input=others, Radius=0.001), [0.3, 0.5, 0.8]),
+                      (paraboloid, [1, 0.8, 0.2]), (Tube(Input=others, Radius=0.001), [0.3, 0.5, 0.8]),
                       (Tube(Input=crossing, Radius=0.003), [0.1, 0.15, 0.5])]:
     drawn = Show(source, view)
     drawn.ColorArrayName = ["POINTS", ""]
     drawn.AmbientColor = drawn.DiffuseColor = color
     drawn.Ambient = 0.2
+    drawn.Interpolation = "Flat" if source is paraboloid else "Gouraud"  # lit the same from both sides
 Render(view)  # the first time it moves the camera
 view.CameraFocalPoint = place
 view.CameraPosition = [place[0] + 0.4, place[1] + 0.3, place[2] + 0.8]
