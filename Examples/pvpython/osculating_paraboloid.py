@@ -1,4 +1,4 @@
-"""Draws the osculating paraboloid of a function at a saddle of a scan, with the contour that crosses itself there.
+"""Draws the osculating paraboloid of a function at a saddle of a scan, with the contour that nearly crosses itself there.
 
 usage: pvpython osculating_paraboloid.py PLUGIN kitten.xyz PICTURE.png
 
