@@ -216,6 +216,15 @@ void writeModel(const NamedModel& named, vtkPolyData* output)
   writer.add(ValueNameName, named.valueName);
 }
 
+void refuseModel(vtkDataObject* input)
+{
+  if (input->GetFieldData()->HasArray(VersionName) && vtkPolyData::SafeDownCast(input) &&
+    vtkPolyData::SafeDownCast(input)->GetPointData()->HasArray(CoefficientName))
+  {
+    throw InvalidInput("samples of a function", "a Model", "RBF Evaluate computes its values.");
+  }
+}
+
 NamedModel readModel(vtkPolyData* input)
 {
   NamedModel named;

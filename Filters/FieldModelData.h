@@ -4,6 +4,7 @@
 
 #include <string>
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace SurfaceScalars
@@ -21,6 +22,9 @@ struct NamedModel
  * in plain arrays. Nothing in it is NaN or infinite, so that every file format can keep it.
  */
 void writeModel(const NamedModel& named, vtkPolyData* output);
+
+/// @throws InvalidInput if someone takes a model for samples
+void refuseModel(vtkDataObject* input);
 
 /// Reads it back, to the same bits. @throws InvalidInput that says what is missing, of another
 /// version or inconsistent

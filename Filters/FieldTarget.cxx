@@ -51,7 +51,10 @@ public:
     copy(block.gradients, begin, this->gradients_);
     copy(block.hessians, begin, this->hessians_);
     std::copy(block.valid.begin(), block.valid.end(), this->valid_->GetPointer(begin));
+    this->validCount_ += std::count(block.valid.begin(), block.valid.end(), 1);
   }
+
+  vtkIdType validCount() const { return this->validCount_; }
 
   std::vector<vtkDataArray*> all() const
   {
@@ -72,6 +75,7 @@ private:
     }
   }
 
+  vtkIdType validCount_ = 0;
   vtkSmartPointer<vtkDoubleArray> values_;
   vtkSmartPointer<vtkDoubleArray> gradients_;
   vtkSmartPointer<vtkDoubleArray> hessians_;
@@ -111,9 +115,12 @@ public:
         this->field_.evaluate(placesOf(target, begin, size), this->request_.evaluation,
           execution.part(fraction(begin), fraction(begin + size))));
     }
+    this->validCount_ += arrays.validCount();
     output->ShallowCopy(target);
     this->add(arrays, output->GetPointData());
   }
+
+  vtkIdType validCount() const { return this->validCount_; }
 
   void warnOfTakenNames(const FilterRun& run) const
   {
@@ -143,6 +150,7 @@ private:
   const Field& field_;
   const TargetRequest& request_;
   std::map<std::string, std::string> renamed_;
+  vtkIdType validCount_ = 0;
 };
 
 /// Corresponding datasets of target and output.
@@ -209,6 +217,7 @@ void describeAsTarget(vtkInformation* target, vtkInformation* output)
   output->CopyEntry(target, Pipeline::WHOLE_EXTENT());
   output->CopyEntry(target, vtkDataObject::ORIGIN());
   output->CopyEntry(target, vtkDataObject::SPACING());
+  output->CopyEntry(target, vtkDataObject::DIRECTION());
   if (!output->Has(Pipeline::TIME_RANGE()))
   {
     output->CopyEntry(target, Pipeline::TIME_STEPS());
@@ -243,6 +252,11 @@ void writeOnTarget(const Field& field, const TargetRequest& request, vtkDataObje
     done += share;
   }
   writer.warnOfTakenNames(run);
+  if (total > 0 && writer.validCount() == 0)
+  {
+    run.warn("No target has a value: all have NullValue and Valid 0. Raise MaximumDistance or "
+             "SearchRadius, or check that target and samples lie at the same place.");
+  }
 }
 
 } // namespace SurfaceScalars

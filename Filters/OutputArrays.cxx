@@ -9,6 +9,10 @@
 #include "vtkIdTypeArray.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#include <algorithm>
 
 namespace SurfaceScalars
 {
@@ -49,7 +53,15 @@ vtkSmartPointer<vtkDoubleArray> makeDoubles(
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  // Allocated here: where VTK finds too little memory it ends the program.
+  const auto numbers = static_cast<std::size_t>(tuples) * static_cast<std::size_t>(components);
+  auto* memory =
+    static_cast<double*>(std::malloc(std::max<std::size_t>(numbers, 1) * sizeof(double)));
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  array->SetArray(memory, static_cast<vtkIdType>(numbers), 0, vtkDoubleArray::VTK_DATA_ARRAY_FREE);
   return array;
 }
 

@@ -3,6 +3,7 @@
 #include "Error.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace SurfaceScalars
 {
@@ -13,6 +14,22 @@ void checkChoice(const std::string& property, int value, std::initializer_list<i
   if (std::find(values.begin(), values.end(), value) == values.end())
   {
     throw InvalidInput(property + " " + names, std::to_string(value), "Choose one of these.");
+  }
+}
+
+void checkGridDimensions(const int size[3], int least, const std::string& advice)
+{
+  const std::string found =
+    std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]);
+  if (*std::min_element(size, size + 3) < least)
+  {
+    throw InvalidInput("GridDimensions of at least " + std::to_string(least), found, advice);
+  }
+  constexpr int most = std::numeric_limits<int>::max();
+  if (static_cast<double>(size[0]) * size[1] * size[2] > most)
+  {
+    throw InvalidInput(
+      "GridDimensions with at most " + std::to_string(most) + " points in all", found, advice);
   }
 }
 

@@ -11,4 +11,8 @@ namespace SurfaceScalars
 void checkChoice(const std::string& property, int value, std::initializer_list<int> values,
   const std::string& names);
 
+/// @throws InvalidInput unless a grid has at least `least` points along each axis, and as many in
+/// all as can be counted
+void checkGridDimensions(const int size[3], int least, const std::string& advice);
+
 } // namespace SurfaceScalars

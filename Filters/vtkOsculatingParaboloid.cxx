@@ -5,6 +5,7 @@
 #include "FilterRun.h"
 #include "OutputArrays.h"
 #include "PointSetInput.h"
+#include "PropertyChoice.h"
 
 #include "vtkClipPolyData.h"
 #include "vtkDoubleArray.h"
@@ -16,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkReverseSense.h"
 #include "vtkSphere.h"
 
 #include <algorithm>
@@ -41,13 +43,7 @@ constexpr const char* NormalsName = "Normals";
 
 void checkGrid(vtkOsculatingParaboloid& filter)
 {
-  const int* size = filter.GetGridDimensions();
-  if (*std::min_element(size, size + 3) < 2)
-  {
-    throw InvalidInput("GridDimensions of at least 2",
-      std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]),
-      "48 48 48 is smooth to the eye.");
-  }
+  checkGridDimensions(filter.GetGridDimensions(), 2, "48 48 48 is smooth to the eye.");
   if (!(filter.GetRadius() >= 0.0) || !std::isfinite(filter.GetRadius()))
   {
     throw InvalidInput(
@@ -120,13 +116,16 @@ double neighborhoodRadius(const Field& field, const Vector3d& center)
 {
   constexpr int defaultCount = 32; // where the scheme has no number of its own
   const FieldParameters& parameters = field.model().parameters;
+  Neighborhood near;
   if (parameters.searchRadius > 0.0)
   {
-    return parameters.searchRadius;
+    field.cloud().within(center, parameters.searchRadius, near);
   }
-  Neighborhood near;
-  field.cloud().nearest(
-    center, parameters.neighborCount > 0 ? parameters.neighborCount : defaultCount, near);
+  else
+  {
+    field.cloud().nearest(
+      center, parameters.neighborCount > 0 ? parameters.neighborCount : defaultCount, near);
+  }
   const double radius = std::sqrt(near.squaredDistances.back());
   if (!(radius > 0.0))
   {
@@ -173,7 +172,7 @@ bool changes(vtkImageData* grid, const FieldModel& model)
   return std::max(-range[0], range[1]) > rounding;
 }
 
-/// The zero of the values inside the ball.
+/// The zero of the values inside the ball, its sides seen from where the values are larger.
 vtkSmartPointer<vtkPolyData> zeroSurface(vtkImageData* grid, double radius)
 {
   vtkNew<vtkFlyingEdges3D> contour;
@@ -181,10 +180,12 @@ vtkSmartPointer<vtkPolyData> zeroSurface(vtkImageData* grid, double radius)
   contour->SetValue(0, 0.0);
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();
+  vtkNew<vtkReverseSense> outwards; // the contour faces the smaller values
+  outwards->SetInputConnection(contour->GetOutputPort());
   vtkNew<vtkSphere> ball;
   ball->SetRadius(radius);
   vtkNew<vtkClipPolyData> clip;
-  clip->SetInputConnection(contour->GetOutputPort());
+  clip->SetInputConnection(outwards->GetOutputPort());
   clip->SetClipFunction(ball);
   clip->InsideOutOn();
   clip->Update();
@@ -259,6 +260,10 @@ int vtkOsculatingParaboloid::RequestData(
       if (changes(grid, field.model()))
       {
         surface = zeroSurface(grid, radius);
+        if (surface->GetNumberOfPolys() == 0)
+        {
+          run.warn("There is no surface within Radius: raise GridDimensions or change Radius.");
+        }
       }
       else
       {

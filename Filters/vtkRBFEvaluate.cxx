@@ -1,5 +1,6 @@
 #include "vtkRBFEvaluate.h"
 
+#include "Error.h"
 #include "FieldModelData.h"
 #include "FieldTarget.h"
 #include "FilterRun.h"
@@ -52,6 +53,8 @@ int vtkRBFEvaluate::FillInputPortInformation(int port, vtkInformation* informati
   else
   {
     acceptTargets(information);
+    information->Set(
+      vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // it is not: RequestData() says so better
   }
   return 1;
 }
@@ -66,18 +69,17 @@ int vtkRBFEvaluate::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* target = vtkDataObject::GetData(inputs[1]);
-  if (!target)
-  {
-    return 0;
-  }
-  giveType(outputs->GetInformationObject(0), target->GetClassName());
+  giveType(outputs->GetInformationObject(0), target ? target->GetClassName() : "vtkPolyData");
   return 1;
 }
 
 int vtkRBFEvaluate::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  describeAsTarget(inputs[1]->GetInformationObject(0), outputs->GetInformationObject(0));
+  if (vtkInformation* target = inputs[1]->GetInformationObject(0))
+  {
+    describeAsTarget(target, outputs->GetInformationObject(0));
+  }
   return 1;
 }
 
@@ -87,12 +89,16 @@ int vtkRBFEvaluate::RequestData(
   return runFilter(*this, "RBF Evaluate", outputs,
     [&](FilterRun& run)
     {
+      vtkDataObject* target = vtkDataObject::GetData(inputs[1]);
+      if (!target)
+      {
+        throw InvalidInput("a Target", "none", "Choose where the function is wanted.");
+      }
       NamedModel named = readModel(vtkPolyData::GetData(inputs[0]));
       const Execution& execution = run.execution();
       const Field field(std::move(named.model), execution.part(0.0, FitShare));
-      writeOnTarget(field, targetRequestOf(*this, named.valueName),
-        vtkDataObject::GetData(inputs[1]), run, execution.part(FitShare, 1.0),
-        vtkDataObject::GetData(outputs, 0));
+      writeOnTarget(field, targetRequestOf(*this, named.valueName), target, run,
+        execution.part(FitShare, 1.0), vtkDataObject::GetData(outputs, 0));
     });
 }
 

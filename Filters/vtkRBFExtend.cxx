@@ -6,9 +6,11 @@
 #include "FilterRun.h"
 #include "OutputArrays.h"
 #include "PointSetInput.h"
+#include "PropertyChoice.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -36,13 +38,7 @@ constexpr double FitShare = 0.4;
 
 void checkGrid(vtkRBFExtend& filter)
 {
-  const int* size = filter.GetGridDimensions();
-  if (*std::min_element(size, size + 3) < 1)
-  {
-    throw InvalidInput("GridDimensions of at least 1",
-      std::to_string(size[0]) + " " + std::to_string(size[1]) + " " + std::to_string(size[2]),
-      "64 64 64 shows most functions.");
-  }
+  checkGridDimensions(filter.GetGridDimensions(), 1, "64 64 64 shows most functions.");
   if (!(filter.GetGridPadding() >= 0.0) || !std::isfinite(filter.GetGridPadding()))
   {
     throw InvalidInput("a GridPadding of at least 0", std::to_string(filter.GetGridPadding()),
@@ -73,6 +69,16 @@ void makeGrid(vtkRBFExtend& filter, const Points& points, vtkImageData* grid)
   grid->SetDimensions(filter.GetGridDimensions());
   grid->SetOrigin(origin.data());
   grid->SetSpacing(spacing.data());
+}
+
+/// Of data with an extent: without a request of its own it would get that of the output.
+void askForAll(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
 }
 
 vtkInformation* targetOf(vtkInformationVector** inputs)
@@ -155,20 +161,34 @@ int vtkRBFExtend::RequestInformation(
   return 1;
 }
 
+// All samples count, whatever part of the output is wanted: that part is the target's.
+int vtkRBFExtend::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  askForAll(inputs[0]->GetInformationObject(0));
+  vtkInformation* target = targetOf(inputs);
+  if (target && request->Get(vtkExecutive::FROM_OUTPUT_PORT()) != 0)
+  {
+    askForAll(target);
+  }
+  return 1;
+}
+
 int vtkRBFExtend::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   return runFilter(*this, "RBF Extend", outputs,
     [&](FilterRun& run)
     {
-      checkGrid(*this);
       const Execution& execution = run.execution();
-      Samples samples =
-        readSamples(run, execution.part(0.0, ReadShare), vtkDataObject::GetData(inputs[0]));
+      vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+      refuseModel(input);
+      Samples samples = readSamples(run, execution.part(0.0, ReadShare), input);
       const std::string valueName = samples.valueName;
       vtkSmartPointer<vtkDataObject> target = vtkDataObject::GetData(targetOf(inputs));
       if (!target)
       {
+        checkGrid(*this);
         const vtkNew<vtkImageData> grid;
         makeGrid(*this, samples.points, grid);
         target = grid;
@@ -176,13 +196,13 @@ int vtkRBFExtend::RequestData(
 
       const Field& field =
         this->FieldOf(std::move(samples), run, execution.part(ReadShare, FitShare));
-      const Values leaveOneOutErrors =
-        this->ComputeLeaveOneOutErrors ? field.leaveOneOutErrors() : Values();
+      const bool leaveOneOut = this->ComputeLeaveOneOutErrors && this->GetScheme() == GLOBAL_RBF;
+      const Values leaveOneOutErrors = leaveOneOut ? field.leaveOneOutErrors() : Values();
       writeOnTarget(field, targetRequestOf(*this, valueName), target, run,
         execution.part(FitShare, 1.0), vtkDataObject::GetData(outputs, 0));
       vtkPolyData* model = vtkPolyData::GetData(outputs, 1);
       writeModel({ field.model(), valueName }, model);
-      if (this->ComputeLeaveOneOutErrors)
+      if (leaveOneOut)
       {
         const auto array = makeDoubles("LeaveOneOutError", leaveOneOutErrors.size());
         std::copy_n(leaveOneOutErrors.data(), leaveOneOutErrors.size(), array->GetPointer(0));

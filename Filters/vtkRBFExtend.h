@@ -86,8 +86,8 @@ public:
   ///@{
   /**
    * Whether Model gets the point array LeaveOneOutError: f at each center less what all other
-   * centers predict there. Its size tells kernels and widths apart. Only for GLOBAL_RBF with a
-   * dense system. Default: off.
+   * centers predict there. Its size tells kernels and widths apart. Other schemes than
+   * GLOBAL_RBF have none. Default: off.
    */
   vtkSetMacro(ComputeLeaveOneOutErrors, bool);
   vtkGetMacro(ComputeLeaveOneOutErrors, bool);
@@ -128,6 +128,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;

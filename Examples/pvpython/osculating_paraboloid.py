@@ -68,7 +68,6 @@ for source, color in [(below, [0.95, 0.95, 0.93]), (balls(points, 0.002), [0.6, 
     drawn.ColorArrayName = ["POINTS", ""]
     drawn.AmbientColor = drawn.DiffuseColor = color
     drawn.Ambient = 0.2
-    drawn.Interpolation = "Flat" if source is paraboloid else "Gouraud"  # lit the same from both sides
 Render(view)  # the first time it moves the camera
 view.CameraFocalPoint = place
 view.CameraPosition = [place[0] + 0.4, place[1] + 0.3, place[2] + 0.8]

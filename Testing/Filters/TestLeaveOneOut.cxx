@@ -53,14 +53,15 @@ TEST(LeaveOneOut, equalsPredictionsWithoutTheSample)
   }
 }
 
-// What has no closed form is refused in a sentence.
+// A local scheme has none, and a sparse system is refused in a sentence.
 TEST(LeaveOneOut, needsADenseGlobalSystem)
 {
   const vtkNew<vtkRBFExtend> filter;
   filter->SetInputData(waveSamples(2000));
   filter->SetTargetData(makeCloud(randomCube(3, 1)));
   filter->ComputeLeaveOneOutErrorsOn();
-  expectFailure(filter, update(filter), "RBF Extend", { "GlobalRBF", "leave-one-out" });
+  expectSilentSuccess(update(filter));
+  EXPECT_EQ(numbersOf(filter->GetOutputDataObject(1), "LeaveOneOutError").size(), 0);
 
   filter->SetScheme(vtkRBFExtend::GLOBAL_RBF);
   filter->SetKernel(vtkRBFExtend::WENDLAND);

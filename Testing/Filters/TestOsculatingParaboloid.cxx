@@ -5,10 +5,13 @@
 #include "vtkOsculatingParaboloid.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include <limits>
 
@@ -28,6 +31,25 @@ double linear(const Vector3d& p)
 void expectRefusal(vtkOsculatingParaboloid* filter, std::initializer_list<const char*> parts)
 {
   expectFailure(filter, update(filter), "Osculating Paraboloid", parts);
+}
+
+/// Area of the triangles, counted negative where they turn their back to the direction.
+double areaAlong(vtkPolyData* surface, const Vector3d& direction)
+{
+  double area = 0.0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    const Vector3d first(surface->GetPoint(corners->GetId(0)));
+    for (vtkIdType i = 2; i < corners->GetNumberOfIds(); ++i)
+    {
+      const Vector3d second(surface->GetPoint(corners->GetId(i - 1)));
+      const Vector3d third(surface->GetPoint(corners->GetId(i)));
+      area += 0.5 * (second - first).cross(third - first).dot(direction);
+    }
+  }
+  return area;
 }
 
 } // namespace
@@ -59,6 +81,7 @@ TEST(OsculatingParaboloid, isAPlaneForLinearFunctions)
       farthest = std::max(farthest, difference.norm());
     }
     EXPECT_NEAR(farthest, 0.25, 0.005);
+    EXPECT_NEAR(areaAlong(output, normal), Pi * 0.25 * 0.25, 0.01); // the front sides, of a disc
     const Eigen::MatrixXd values = numbersOf(output, "f");
     EXPECT_LT((values.array() - linear(center)).abs().maxCoeff(), 1e-8 * (1.0 + offset));
     EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);

@@ -329,3 +329,10 @@ TEST(RBFEvaluate, anEmptyTarget)
   expectWarning(update(filter), { "RBF Evaluate: The target has no points" });
   EXPECT_TRUE(filter->GetPolyDataOutput()->GetPointData()->HasArray("f"));
 }
+
+TEST(RBFEvaluate, asksForATarget)
+{
+  vtkNew<vtkRBFEvaluate> filter;
+  filter->SetInputData(makeModel());
+  expectFailure(filter, update(filter), "RBF Evaluate", { "needs a Target", "none" });
+}

@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkImageToStructuredGrid.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -235,9 +236,6 @@ TEST(RBFExtendInput, choicesAndNumbersOutOfTheirRange)
     { [](vtkRBFExtend* f) { f->SetRegularization(-1.0); }, "Regularization" },
     { [](vtkRBFExtend* f) { f->SetHybridThreshold(-1.0); }, "hreshold" },
     { [](vtkRBFExtend* f) { f->SetMaximumDistance(-1.0); }, "MaximumDistance" },
-    { [](vtkRBFExtend* f) { f->SetGridDimensions(4, 0, 4); }, "found 4 0 4" },
-    { [](vtkRBFExtend* f) { f->SetGridPadding(-0.1); }, "GridPadding" },
-    { [](vtkRBFExtend* f) { f->SetGridPadding(NaN); }, "GridPadding" },
   };
   for (std::size_t i = 0; i < settings.size(); ++i)
   {
@@ -245,6 +243,27 @@ TEST(RBFExtendInput, choicesAndNumbersOutOfTheirRange)
     vtkNew<vtkRBFExtend> filter;
     settings[i].first(filter);
     expectRefusal(filter, waveSamples(), { "needs", settings[i].second });
+  }
+}
+
+// So are those of the grid, but only where there is one.
+TEST(RBFExtendInput, gridsOutOfTheirRange)
+{
+  using Setting = std::pair<std::function<void(vtkRBFExtend*)>, const char*>;
+  const std::vector<Setting> settings = {
+    { [](vtkRBFExtend* f) { f->SetGridDimensions(4, 0, 4); }, "found 4 0 4" },
+    { [](vtkRBFExtend* f) { f->SetGridPadding(-0.1); }, "GridPadding" },
+    { [](vtkRBFExtend* f) { f->SetGridPadding(NaN); }, "GridPadding" },
+  };
+  for (const Setting& setting : settings)
+  {
+    SCOPED_TRACE(setting.second);
+    vtkNew<vtkRBFExtend> filter;
+    filter->SetInputData(waveSamples());
+    setting.first(filter);
+    expectFailure(filter, update(filter), "RBF Extend", { "needs", setting.second });
+    filter->SetTargetData(someTarget());
+    expectSilentSuccess(update(filter));
   }
 }
 
@@ -296,4 +315,66 @@ TEST(RBFExtendInput, leavesNothingWhenStopped)
     expectSilentSuccess(update(filter));
     EXPECT_EQ(numbersOf(filter->GetOutputDataObject(0), "f").cols(), 24 * 24 * 24);
   }
+}
+
+// A structured grid of samples counts as a whole, whatever extent is asked of a structured output.
+TEST(RBFExtendInput, readsAllOfStructuredSamples)
+{
+  vtkNew<vtkImageData> source;
+  source->SetDimensions(9, 9, 9);
+  source->SetOrigin(-1.0, -1.0, -1.0);
+  source->SetSpacing(0.25, 0.25, 0.25);
+  vtkNew<vtkImageToStructuredGrid> samples;
+  vtkNew<vtkImageData> target;
+  target->SetDimensions(3, 3, 3);
+  target->SetOrigin(-0.9, -0.9, -0.9);
+  target->SetSpacing(0.9, 0.9, 0.9);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("f");
+  for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(wave(Vector3d(source->GetPoint(i))));
+  }
+  source->GetPointData()->SetScalars(values);
+  samples->SetInputData(source);
+  for (vtkDataObject* chosen :
+    { static_cast<vtkDataObject*>(nullptr), static_cast<vtkDataObject*>(target.Get()) })
+  {
+    const vtkNew<vtkRBFExtend> filter;
+    filter->SetInputConnection(samples->GetOutputPort());
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "f");
+    filter->SetTargetData(chosen);
+    filter->SetGridDimensions(4, 4, 4);
+    expectSilentSuccess(update(filter));
+    EXPECT_EQ(numbersOf(filter->GetOutputDataObject(1), "Coefficient").cols(), 729);
+  }
+}
+
+// A grid that cannot be counted is refused before anything is allocated.
+TEST(RBFExtendInput, refusesHugeGrids)
+{
+  const vtkNew<vtkRBFExtend> filter;
+  filter->SetInputData(waveSamples(50));
+  filter->SetGridDimensions(2000, 2000, 2000);
+  expectFailure(filter, update(filter), "RBF Extend", { "2147483647 points", "2000 2000 2000" });
+}
+
+// A model is not samples: its coefficients are not values.
+TEST(RBFExtendInput, refusesAModel)
+{
+  const vtkNew<vtkRBFExtend> first;
+  first->SetInputData(waveSamples(50));
+  const vtkNew<vtkRBFExtend> second;
+  second->SetInputConnection(first->GetOutputPort(1));
+  expectFailure(second, update(second), "RBF Extend", { "Model", "RBF Evaluate" });
+}
+
+// Where no target is near enough, that is said.
+TEST(RBFExtendInput, saysThatNoTargetIsValid)
+{
+  const vtkNew<vtkRBFExtend> filter;
+  filter->SetInputData(waveSamples(50));
+  filter->SetTargetData(makeCloud(Points(randomCube(5, 2).array() + 100.0)));
+  filter->SetMaximumDistance(1.0);
+  expectWarning(update(filter), { "No target has a value", "MaximumDistance" });
 }
