@@ -14,6 +14,9 @@ namespace SurfaceScalars
 namespace
 {
 
+// Dense systems larger than this take seconds for each place.
+constexpr std::size_t MostNeighbors = 2000;
+
 void require(
   bool condition, const std::string& expected, const std::string& found, const std::string& remedy)
 {
@@ -110,6 +113,36 @@ void checkFieldSamples(const PointCloud& cloud, const FieldParameters& parameter
   requireSpread(cloud.points());
 }
 
+void checkNeighborhood(std::size_t sampleCount)
+{
+  if (sampleCount > MostNeighbors) // asked for each place, so no sentence in vain
+  {
+    throw InvalidInput("at most " + std::to_string(MostNeighbors) + " samples in a neighborhood",
+      std::to_string(sampleCount), "Lower SearchRadius or NeighborCount.");
+  }
+}
+
+void refuseSystem(const std::string& found, const RadialKernel& kernel, double condition)
+{
+  std::string remedy = "Lower KernelWidth, raise Regularization to 1e-10 or so, or choose the "
+                       "Cubic Kernel.";
+  if (!kernel.dependsOnWidth())
+  {
+    remedy = "Raise Regularization to 1e-10 or so, or leave out points far from the others or that "
+             "nearly coincide.";
+  }
+  else if (std::isfinite(kernel.support()))
+  {
+    remedy = "Lower KernelWidth, raise Regularization to 1e-10 or so, or leave out points that "
+             "nearly coincide.";
+  }
+  throw InvalidInput("a kernel whose system can be solved at machine precision",
+    found + " with the " + nameOf(kernel.type()) + " kernel" +
+      (kernel.dependsOnWidth() ? " of width " + textOf(kernel.width()) : "") + " (condition " +
+      (std::isfinite(condition) ? "about " + textOf(condition) : "infinite") + ")",
+    remedy);
+}
+
 void checkFieldModel(const FieldModel& model)
 {
   checkFieldParameters(model.parameters);
@@ -125,6 +158,12 @@ void checkFieldModel(const FieldModel& model)
   require(model.parameters.scheme == Scheme::GlobalRBF || model.parameters.neighborCount > 0 ||
       model.parameters.searchRadius > 0.0,
     "a model with its number of neighbors", "0", "Make it anew.");
+  require(model.parameters.neighborCount <= model.centers.cols(),
+    "a model with no more neighbors than its " + std::to_string(model.centers.cols()) + " centers",
+    std::to_string(model.parameters.neighborCount), "Make it anew.");
+  require(model.parameters.scheme != Scheme::GlobalRBF || model.parameters.kernelWidth > 0.0,
+    "a model of the GlobalRBF scheme with a positive KernelWidth",
+    textOf(model.parameters.kernelWidth), "Make it anew.");
 }
 
 void checkEvaluation(const EvaluationParameters& parameters)

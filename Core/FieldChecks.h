@@ -2,6 +2,8 @@
 
 #include "Field.h"
 
+#include <string>
+
 namespace SurfaceScalars
 {
 
@@ -11,6 +13,15 @@ void checkFieldValues(const ValuesRef& values, std::size_t pointCount);
 
 /// Whether there are samples enough, and spread enough, for the scheme. @throws InvalidInput
 void checkFieldSamples(const PointCloud& cloud, const FieldParameters& parameters);
+
+/// Whether a system of this many samples is small enough to be solved for one place.
+/// @throws InvalidInput
+void checkNeighborhood(std::size_t sampleCount);
+
+/// Says what to change about a system that cannot be solved.
+/// @param condition an estimate; infinite if the system is singular @throws InvalidInput
+[[noreturn]] void refuseSystem(
+  const std::string& found, const RadialKernel& kernel, double condition);
 
 /// @throws InvalidInput unless the numbers of a model fit together
 void checkFieldModel(const FieldModel& model);

@@ -1,11 +1,15 @@
+#include "FieldChecks.h"
 #include "FieldSchemes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace SurfaceScalars
 {
 namespace
 {
+
+constexpr std::size_t SamplesPerBlock = 64; // of a parallel loop
 
 class HybridScheme : public FieldApproximation
 {
@@ -44,6 +48,20 @@ private:
   FieldApproximation* current_;
 };
 
+/// e_MLS of sec. 3.3: what the average over a neighborhood misses its samples by, root mean square.
+double missOf(const FieldApproximation& average, const FieldSamples& samples,
+  const std::vector<NearestSearch::Found>& near)
+{
+  double squares = 0.0;
+  for (const NearestSearch::Found& found : near)
+  {
+    const Vector3d place = samples.cloud.points().col(found.index);
+    squares +=
+      std::pow(average.jet(place, Derivatives::None).value - samples.values[found.index], 2);
+  }
+  return std::sqrt(squares / static_cast<double>(near.size()));
+}
+
 } // namespace
 
 std::unique_ptr<FieldApproximation> makeHybrid(
@@ -57,26 +75,20 @@ std::vector<char> markMissedSamples(
 {
   const double range = samples.values.maxCoeff() - samples.values.minCoeff();
   std::vector<char> marked(static_cast<std::size_t>(samples.values.size()));
-  parallelFor(marked.size(), 64, execution,
-    [&](std::size_t begin, std::size_t end)
+  parallelForEach((marked.size() + SamplesPerBlock - 1) / SamplesPerBlock, execution,
+    [&](std::size_t block, const Poll& poll)
     {
       const auto approximation = makeExplicitMLS(samples, parameters);
       NearestSearch search = neighborhoodSearch(samples.cloud, parameters);
-      for (std::size_t i = begin; i < end; ++i)
+      const std::size_t end = std::min(marked.size(), (block + 1) * SamplesPerBlock);
+      for (std::size_t i = block * SamplesPerBlock; i < end; ++i)
       {
-        // e_MLS of sec. 3.3: the average over the neighborhood, at each of its samples.
+        poll(); // each takes time with the square of its neighborhood
         const Vector3d place = samples.cloud.points().col(static_cast<Eigen::Index>(i));
-        approximation->center(place);
-        double squares = 0.0;
         const std::vector<NearestSearch::Found>& near = search.find(place);
-        for (const NearestSearch::Found& found : near)
-        {
-          const Index j = found.index;
-          const double average =
-            approximation->jet(samples.cloud.points().col(j), Derivatives::None).value;
-          squares += std::pow(average - samples.values[j], 2);
-        }
-        const double miss = std::sqrt(squares / static_cast<double>(near.size()));
+        checkNeighborhood(near.size());
+        approximation->center(place);
+        const double miss = missOf(*approximation, samples, near);
         marked[i] = miss > parameters.hybridThreshold * range ? 1 : 0;
       }
     });

@@ -114,12 +114,15 @@ Points estimateNormals(const NeighborGraph& graph, const FitSize& size, const Ex
 {
   const Values noValues; // only the surface is wanted
   Points normals(3, graph.pointCount());
-  parallelFor(graph.pointCount(), PointsPerBlock, execution,
-    [&](std::size_t begin, std::size_t end)
+  const std::size_t count = graph.pointCount();
+  parallelForEach((count + PointsPerBlock - 1) / PointsPerBlock, execution,
+    [&](std::size_t block, const Poll& poll)
     {
       PolynomialNeighborhood polynomials(graph, noValues, size, 2);
-      for (std::size_t i = begin; i < end; ++i)
+      const std::size_t end = std::min(count, (block + 1) * PointsPerBlock);
+      for (std::size_t i = block * PointsPerBlock; i < end; ++i)
       {
+        poll(); // a large radius makes even one point slow
         const auto column = static_cast<Eigen::Index>(i);
         const bool fitted = polynomials.center(graph.points().col(column));
         normals.col(column) =

@@ -27,10 +27,11 @@ PolynomialNeighborhood::PolynomialNeighborhood(
   const PointCloud& cloud, const Values& values, const FitSize& size, int degree)
   : cloud_(cloud)
   , values_(values)
-  , size_(size)
+  , size_{ std::min(size.count, static_cast<int>(cloud.pointCount())), size.radius }
   , degree_(degree)
   , search_(cloud,
-      std::min<std::size_t>(static_cast<std::size_t>(enoughFor(size.count)), cloud.pointCount()))
+      std::min<std::size_t>(
+        static_cast<std::size_t>(enoughFor(this->size_.count)), cloud.pointCount()))
 {
 }
 

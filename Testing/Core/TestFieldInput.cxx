@@ -181,5 +181,45 @@ TEST(FieldInput, refusesSamplesAndModels)
   EXPECT_TRUE(contains(refusal({ Points(3, 0), Values(0) }, {}), "needs points, found none"));
 }
 
+// A model whose numbers would overflow, or are none, is refused before it is used.
+TEST(FieldInput, refusesHostileModels)
+{
+  const FieldInput input = Truth::torusInput(100, 7);
+  for (const Scheme scheme :
+    { Scheme::ExplicitMLS, Scheme::ParameterizedMLS, Scheme::LocalRBF, Scheme::Hybrid })
+  {
+    FieldParameters parameters = parametersOf(scheme);
+    parameters.neighborCount = std::numeric_limits<int>::max();
+    EXPECT_EQ(refusal(input, parameters), "accepted"); // the number of points counts
+    FieldModel model = Field::fit(input.points, input.values, parametersOf(scheme)).model();
+    model.parameters.neighborCount = std::numeric_limits<int>::max();
+    EXPECT_TRUE(contains(refusal([&]() { Field{ model }; }), "100 centers, found 2147483647"));
+  }
+  FieldModel model =
+    Field::fit(input.points, input.values, parametersOf(Scheme::GlobalRBF)).model();
+  model.parameters.kernelWidth = 0.0;
+  EXPECT_TRUE(contains(refusal([&]() { Field{ model }; }), "positive KernelWidth, found 0"));
+}
+
+// The Hybrid scheme asks at each sample, whatever its neighborhood costs, whether to go on, and
+// refuses neighborhoods that LocalRBF would refuse before it looks at any.
+TEST(FieldInput, hybridWithLargeNeighborhoods)
+{
+  const FieldInput input = Truth::torusInput(300, 8);
+  FieldParameters parameters = parametersOf(Scheme::Hybrid);
+  parameters.searchRadius = 10.0;
+  int calls = 0;
+  Field::fit(input.points, input.values, parameters, { 1, [&](double) { return ++calls > 0; } });
+  EXPECT_GT(calls, 300);
+  const int last = calls - 100; // in the middle of a block
+  calls = 0;
+  EXPECT_THROW(Field::fit(input.points, input.values, parameters,
+                 { 1, [&](double) { return ++calls < last; } }),
+    Aborted);
+  EXPECT_EQ(calls, last);
+  EXPECT_TRUE(contains(refusal(Truth::torusInput(2001, 9), parameters),
+    "at most 2000 samples in a neighborhood, found 2001"));
+}
+
 } // namespace
 } // namespace SurfaceScalars

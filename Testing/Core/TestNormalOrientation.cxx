@@ -1,3 +1,4 @@
+#include "Error.h"
 #include "NormalOrientation.h"
 #include "Queries.h"
 #include "Sampling.h"
@@ -134,6 +135,20 @@ TEST(NormalOrientation, leavesLinesWithoutNormals)
   points.row(0).setLinSpaced(0.0, 1.0);
   const Oriented oriented = orient(points);
   EXPECT_TRUE(oriented.normals.isZero(0.0));
+}
+
+// Whether to go on is asked at every point: with a radius that covers everything each takes long.
+TEST(NormalOrientation, canBeAbortedAtEachPoint)
+{
+  const NeighborGraph graph(Truth::randomSphere(500, 4), NeighborQuery());
+  const FitSize everything{ FitCount, 10.0 };
+  for (const int last : { 3, 400 })
+  {
+    int calls = 0;
+    const Execution execution{ 1, [&](double) { return ++calls < last; } };
+    EXPECT_THROW(estimateNormals(graph, everything, execution), Aborted);
+    EXPECT_EQ(calls, last);
+  }
 }
 
 // Neither the number of threads nor the signs of the estimates matter: the same normals bit for
