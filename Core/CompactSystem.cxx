@@ -1,10 +1,11 @@
 #include "CompactSystem.h"
 
-#include "Error.h"
+#include "FieldChecks.h"
 #include "NumberText.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@ namespace
 constexpr std::size_t Grain = 1024; // rows per block of a parallel loop
 constexpr int MostSteps = 500;      // of conjugate gradients; some 40 are usual
 constexpr int MostRestarts = 3;
+constexpr int PowerSteps = 20; // for the order of magnitude
 constexpr double LargestResidual = 1e-10;
 constexpr double Tolerance = 1e-11; // of the residual, relative to the right-hand side; largest
 
@@ -94,6 +96,24 @@ SparseMatrix kernelMatrix(const PointCloud& cloud, const RadialKernel& kernel,
   return matrix;
 }
 
+/// Of a positive definite matrix, from below, by power iteration.
+/// @param multiply the product of the matrix with a vector
+template <class Product>
+double largestEigenvalue(Eigen::Index size, const Product& multiply)
+{
+  // Rough, to have a share in every eigenvector.
+  Values vector = Values::NullaryExpr(
+    size, [](Eigen::Index i) { return 1.0 + 0.5 * std::sin(static_cast<double>(i * i)); });
+  double eigenvalue = 0.0;
+  for (int step = 0; step < PowerSteps; ++step)
+  {
+    vector.normalize();
+    vector = multiply(vector);
+    eigenvalue = vector.norm();
+  }
+  return eigenvalue;
+}
+
 } // namespace
 
 double meanNeighborCount(const PointCloud& cloud, double radius, const Execution& execution)
@@ -120,10 +140,8 @@ CompactSystem::CompactSystem(const PointCloud& cloud, const RadialKernel& kernel
 {
   if (!this->preconditioner_.isPositiveDefinite())
   {
-    throw InvalidInput("a system that can be solved at machine precision",
-      std::string("one that is singular with the kernel ") + nameOf(kernel.type()) + " of width " +
-        textOf(kernel.width()),
-      "Lower KernelWidth, or raise Regularization to 1e-10 or so.");
+    refuseSystem("a system that is singular at machine precision", kernel,
+      std::numeric_limits<double>::infinity());
   }
   this->solved_.resizeLike(this->polynomials_);
   const auto count = static_cast<double>(this->terms_.count());
@@ -147,6 +165,16 @@ Values CompactSystem::multiply(const Values& vector, const Execution& execution)
       result.segment(first, count).noalias() = this->matrix_.middleRows(first, count) * vector;
     });
   return result;
+}
+
+/// That of the matrix, estimated: the preconditioner stands for the inverse.
+double CompactSystem::condition(const Execution& execution) const
+{
+  const auto size = this->matrix_.rows();
+  return largestEigenvalue(
+           size, [&](const Values& vector) { return this->multiply(vector, execution); }) *
+    largestEigenvalue(
+      size, [&](const Values& vector) { return this->preconditioner_.apply(vector, execution); });
 }
 
 /// Conjugate gradients, begun anew from where they are when rounding errors have led them astray.
@@ -175,10 +203,9 @@ Values CompactSystem::solveKernel(const Values& right, const Execution& executio
   }
   if (!(largest(residual) <= LargestResidual * largest(right)))
   {
-    throw InvalidInput("a system that conjugate gradients solve to " + textOf(LargestResidual),
-      "a residual of " + textOf(largest(residual) / largest(right)) + " with the " +
-        nameOf(this->kernel_.type()) + " kernel of width " + textOf(this->kernel_.width()),
-      "Lower KernelWidth, or raise Regularization to 1e-10 or so.");
+    refuseSystem("conjugate gradients that leave a residual of " +
+        textOf(largest(residual) / largest(right)) + ", not " + textOf(LargestResidual) + ",",
+      this->kernel_, this->condition(polling));
   }
   execution.report(1.0);
   return solution;

@@ -36,6 +36,7 @@ public:
 
 private:
   Values solveKernel(const Values& right, const Execution& execution) const;
+  double condition(const Execution& execution) const;
   Values multiply(const Values& vector, const Execution& execution) const;
 
   RadialKernel kernel_;

@@ -1,12 +1,14 @@
 #include "GlobalSystem.h"
 
 #include "Error.h"
+#include "FieldChecks.h"
 #include "KernelWidth.h"
 #include "NumberText.h"
 #include "RadialSum.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -17,6 +19,7 @@ namespace
 
 constexpr double MostEntries = 2e8;      // of a sparse matrix: 2.4 GB
 constexpr double SparseFraction = 0.05;  // of a matrix up to which it counts as sparse
+constexpr Index MostAlwaysDense = 1000;  // a dense system of these takes no time
 constexpr double LargestResidual = 1e-5; // relative to f's range: beyond, f~ is noise
 constexpr double WidthReduction = 0.8;   // of a chosen width that proves too large
 constexpr int MostReductions = 10;
@@ -110,7 +113,8 @@ GlobalSystem::GlobalSystem(
     return;
   }
   this->dense_ = std::make_unique<RadialBasisFit>();
-  const int most = parameters.kernelWidth > 0.0 ? 0 : MostReductions;
+  const bool isReducible = !(parameters.kernelWidth > 0.0) && this->kernel_.dependsOnWidth();
+  const int most = isReducible ? MostReductions : 0;
   for (int reduction = 0;; ++reduction)
   {
     // Not the whole of what is left, as it may not be the last time.
@@ -130,7 +134,7 @@ GlobalSystem::GlobalSystem(
 
 bool GlobalSystem::isSparse(const Execution& execution) const
 {
-  if (!std::isfinite(this->kernel_.support()))
+  if (!std::isfinite(this->kernel_.support()) || this->cloud_.pointCount() <= MostAlwaysDense)
   {
     return false;
   }
@@ -154,13 +158,8 @@ bool GlobalSystem::isSparse(const Execution& execution) const
 void GlobalSystem::refuse(const std::string& found) const
 {
   const double reciprocal = this->dense_->reciprocalCondition();
-  throw InvalidInput("a kernel whose system can be solved at machine precision",
-    found + " with the " + nameOf(this->kernel_.type()) + " kernel of width " +
-      textOf(this->kernel_.width()) + " (condition " +
-      (reciprocal > 0.0 ? "about " + textOf(1.0 / reciprocal) : "infinite") + ")",
-    this->kernel_.dependsOnWidth()
-      ? "Lower KernelWidth, raise Regularization to 1e-10 or so, or choose the Cubic Kernel."
-      : "Raise Regularization to 1e-10 or so, or leave points out that nearly coincide.");
+  refuseSystem(found, this->kernel_,
+    reciprocal > 0.0 ? 1.0 / reciprocal : std::numeric_limits<double>::infinity());
 }
 
 GlobalSum GlobalSystem::solve(const Values& values, const Execution& execution) const
@@ -195,8 +194,12 @@ Values GlobalSystem::leaveOneOutErrors(const Values& values) const
   if (!this->dense_)
   {
     throw InvalidInput("a dense system for leave-one-out errors",
-      "the sparse one of the " + std::string(nameOf(this->kernel_.type())) + " kernel",
-      "Choose another Kernel, or fewer samples.");
+      std::string("the sparse one of the ") + nameOf(this->kernel_.type()) + " kernel of width " +
+        textOf(this->kernel_.width()),
+      this->cloud_.pointCount() <= MostDenseCenters
+        ? "Raise KernelWidth, or choose a Kernel without compact support."
+        : "Thin the samples to at most " + std::to_string(MostDenseCenters) +
+          ", and choose a Kernel without compact support.");
   }
   const std::lock_guard<std::mutex> lock(this->mutex_);
   this->dense_->solve(values);
