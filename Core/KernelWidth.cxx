@@ -1,12 +1,15 @@
 #include "KernelWidth.h"
 
+#include "Error.h"
 #include "GlobalSystem.h"
+#include "NumberText.h"
 #include "Quantile.h"
 #include "RadialBasisFit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace SurfaceScalars
@@ -61,7 +64,26 @@ double radiusOf(const PointCloud& cloud)
   return std::sqrt(cloud.points().colwise().squaredNorm().maxCoeff());
 }
 
-/// The error of leaving one out, infinite where the system is badly conditioned.
+double smallestDistance(const PointCloud& cloud)
+{
+  Neighborhood found;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < cloud.points().cols(); ++i)
+  {
+    cloud.nearest(cloud.points().col(i), 2, found);
+    smallest = std::min(smallest, found.squaredDistances.back());
+  }
+  return std::sqrt(smallest);
+}
+
+/// A width and the error of leaving one out, root mean square: infinite where the system is badly
+/// conditioned.
+struct Trial
+{
+  double width;
+  double miss;
+};
+
 double missOf(const Subset& subset, const RadialKernel& kernel, double regularization)
 {
   RadialBasisFit fit;
@@ -71,39 +93,53 @@ double missOf(const Subset& subset, const RadialKernel& kernel, double regulariz
     return std::numeric_limits<double>::infinity();
   }
   fit.solve(subset.values);
-  const double miss = fit.leaveOneOutErrors().norm();
+  const double miss =
+    fit.leaveOneOutErrors().norm() / std::sqrt(static_cast<double>(subset.values.size()));
   return std::isfinite(miss) ? miss : std::numeric_limits<double>::infinity();
 }
 
-/// Where a function is least, from `begin` to `end`, by golden sections.
+/// The width from `begin` to `end` that misses least, by golden sections of their logarithms.
 template <class Function>
-double minimum(double begin, double end, const Function& function)
+Trial refine(double begin, double end, const Function& missOfWidth)
 {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double left = end - golden * (end - begin);
-  double right = begin + golden * (end - begin);
-  double atLeft = function(left);
-  double atRight = function(right);
+  const auto between = [&](double share)
+  {
+    const double width = begin * std::pow(end / begin, share);
+    return Trial{ width, missOfWidth(width) };
+  };
+  Trial left = between(1.0 - golden);
+  Trial right = between(golden);
   for (int i = 2; i < Refinements; ++i)
   {
-    if (atLeft <= atRight)
+    if (left.miss <= right.miss)
     {
-      end = right;
+      end = right.width;
       right = left;
-      atRight = atLeft;
-      left = end - golden * (end - begin);
-      atLeft = function(left);
+      left = between(1.0 - golden);
     }
     else
     {
-      begin = left;
+      begin = left.width;
       left = right;
-      atLeft = atRight;
-      right = begin + golden * (end - begin);
-      atRight = function(right);
+      right = between(golden);
     }
   }
-  return atLeft <= atRight ? left : right;
+  return left.miss <= right.miss ? left : right;
+}
+
+/// Where all miss by rounding errors alone, as where f is constant or linear, these say nothing.
+double roundingOf(const Values& values)
+{
+  return 1e-12 * (values.maxCoeff() - values.minCoeff()) + 1e-14 * values.lpNorm<Eigen::Infinity>();
+}
+
+[[noreturn]] void refuseAll(const PointCloud& cloud, KernelType kernel, double spacing)
+{
+  throw InvalidInput("samples for which some KernelWidth makes the system of the " +
+      std::string(nameOf(kernel)) + " kernel well conditioned",
+    "some " + textOf(smallestDistance(cloud)) + " apart where " + textOf(spacing) + " is typical",
+    "Raise Regularization to 1e-10 or so, or leave out points that nearly coincide.");
 }
 
 } // namespace
@@ -119,8 +155,8 @@ double chooseKernelWidth(
   }
   const Subset subset = spreadSubset(samples);
   const double spacing = neighborDistance(cloud, SpacingNeighbors);
-  const double subsetSpacing =
-    neighborDistance(PointCloud(subset.points, execution.part(0.0, 0.0)), SpacingNeighbors);
+  const PointCloud subsetCloud(subset.points, execution.part(0.0, 0.0));
+  const double subsetSpacing = neighborDistance(subsetCloud, SpacingNeighbors);
   const bool isSparse =
     std::isfinite(RadialKernel(kernel, 1.0).support()) && cloud.pointCount() > MostDenseCenters;
   // All widths below are in units of the spacing.
@@ -130,35 +166,37 @@ double chooseKernelWidth(
     return missOf(subset, { kernel, width * subsetSpacing }, regularization);
   };
 
-  std::vector<double> widths{ 0.5 };
-  while (widths.back() * GridFactor < widest)
+  std::vector<Trial> trials{ { 0.5, 0.0 } };
+  while (trials.back().width * GridFactor < widest)
   {
-    widths.push_back(widths.back() * GridFactor);
+    trials.push_back({ trials.back().width * GridFactor, 0.0 });
   }
-  widths.push_back(widest);
-  std::vector<double> misses(widths.size());
-  parallelForEach(widths.size(), execution.part(0.0, 0.6),
-    [&](std::size_t i, const Poll&) { misses[i] = miss(widths[i]); });
-  const auto best =
-    static_cast<std::size_t>(std::min_element(misses.begin(), misses.end()) - misses.begin());
-  const double begin = widths[best > 0 ? best - 1 : best];
-  const double end = widths[std::min(best + 1, widths.size() - 1)];
-  double least = misses[best];
-  double width = widths[best];
-  minimum(std::log(begin), std::log(end),
-    [&](double logarithm)
+  trials.push_back({ widest, 0.0 });
+  parallelForEach(trials.size(), execution.part(0.0, 0.6),
+    [&](std::size_t i, const Poll&) { trials[i].miss = miss(trials[i].width); });
+
+  const auto exact = std::find_if(trials.rbegin(), trials.rend(),
+    [rounding = roundingOf(subset.values)](const Trial& trial) { return trial.miss <= rounding; });
+  if (exact != trials.rend())
+  {
+    return exact->width * spacing;
+  }
+  const auto best = std::min_element(
+    trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.miss < b.miss; });
+  if (std::isinf(best->miss))
+  {
+    refuseAll(subsetCloud, kernel, subsetSpacing);
+  }
+  const auto before = best == trials.begin() ? best : best - 1;
+  const auto after = best + 1 == trials.end() ? best : best + 1;
+  const Trial refined = refine(before->width, after->width,
+    [&](double width)
     {
       execution.report(0.6);
-      const double here = miss(std::exp(logarithm));
-      if (here < least)
-      {
-        least = here;
-        width = std::exp(logarithm);
-      }
-      return here;
+      return miss(width);
     });
   execution.report(1.0);
-  return width * spacing;
+  return (refined.miss < best->miss ? refined : *best).width * spacing;
 }
 
 } // namespace SurfaceScalars

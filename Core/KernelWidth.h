@@ -13,7 +13,10 @@ namespace SurfaceScalars
  * sampling step of all. Kernels of compact support reach some eighty samples at most where there
  * are too many for a dense system. Kernels that do not depend on a width get the cloud's radius.
  *
- * @throws Aborted
+ * Where none of them misses by more than rounding errors, as with a linear function, it is the
+ * widest such.
+ *
+ * @throws InvalidInput if the system is badly conditioned with every width; Aborted
  */
 double chooseKernelWidth(const FieldSamples& samples, KernelType kernel, double regularization,
   const Execution& execution);

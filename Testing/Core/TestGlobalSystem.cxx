@@ -284,6 +284,111 @@ TEST(GlobalSystem, refusesSingularWidths)
   EXPECT_EQ(refusalOf(cloud, parametersOf(KernelType::Gaussian, 17.0, 1e-6)), "nothing");
 }
 
+// A kernel without a width is not tried with others: a singular system is factored once, and the
+// sentence speaks of the samples, not of a width that nobody set.
+TEST(GlobalSystem, refusesSingularSamplesAtOnce)
+{
+  Points points = Truth::randomBox(200, 19);
+  points.col(1) = points.col(0) + Vector3d(1e-9, 0.0, 0.0);
+  const PointCloud pair(points);
+  const Values values = Truth::valuesOf(Truth::wave, pair.points());
+  const auto callsUntilRefused = [&](double width)
+  {
+    int calls = 0;
+    const Execution execution{ 1, [&](double) { return ++calls > 0; } };
+    EXPECT_THROW(GlobalSystem({ pair, values }, parametersOf(KernelType::Cubic, width), execution),
+      InvalidInput);
+    return calls;
+  };
+  EXPECT_EQ(callsUntilRefused(0.0), callsUntilRefused(1.0));
+
+  points.col(1) = Vector3d(1e6, 0.0, 0.0);
+  for (const Points& samples : { points, pair.points() })
+  {
+    EXPECT_THAT(refusalOf(PointCloud(samples), parametersOf(KernelType::Cubic, 0.0)),
+      AllOf(HasSubstr("Cubic kernel (condition"), HasSubstr("far from the others"),
+        HasSubstr("nearly coincide"), Not(HasSubstr("idth"))));
+  }
+}
+
+// Where no width makes the system well conditioned, the cause is named: a pair that nearly
+// coincides. With the remedy that is named there is a width.
+TEST(GlobalSystem, refusesPairsForEveryWidth)
+{
+  Points points = Truth::randomBox(200, 20);
+  points.col(1) = points.col(0) + Vector3d(1e-9, 0.0, 0.0);
+  const PointCloud cloud(points);
+  for (const KernelType kernel : { KernelType::Gaussian, KernelType::Wu })
+  {
+    EXPECT_THAT(refusalOf(cloud, parametersOf(kernel, 0.0)),
+      AllOf(HasSubstr(nameOf(kernel)), HasSubstr("1e-09 apart"), HasSubstr("is typical"),
+        HasSubstr("Regularization to 1e-10"), HasSubstr("nearly coincide")));
+    EXPECT_EQ(refusalOf(cloud, parametersOf(kernel, 0.0, 1e-10)), "nothing");
+  }
+}
+
+// Every width reproduces constants and linear functions, up to rounding errors that say nothing:
+// the width is a wide one, with which other values would be smooth between the samples.
+TEST(GlobalSystem, linearFunctionsGetAWideKernel)
+{
+  const PointCloud cloud(Truth::randomBox(300, 21));
+  const Values constant = Values::Constant(300, 0.1);
+  const Values linear = cloud.points().transpose() * Vector3d(0.3, -0.7, 0.1);
+  for (const KernelType kernel : { KernelType::Wendland, KernelType::Multiquadric })
+  {
+    for (const Values& values : { constant, linear })
+    {
+      const GlobalSystem system({ cloud, values }, parametersOf(kernel, 0.0), {});
+      EXPECT_GT(system.kernel().width(), supportOf(cloud, 40)) << nameOf(kernel);
+    }
+  }
+}
+
+// Few samples always have leave-one-out errors; where many do not, the advice gives a dense system.
+TEST(GlobalSystem, leavesOneOutOfDenseSystemsOnly)
+{
+  const PointCloud few(Truth::randomBox(900, 22));
+  const Values values = Truth::valuesOf(Truth::wave, few.points());
+  const GlobalSystem dense(
+    { few, values }, parametersOf(KernelType::Wendland, supportOf(few, 10)), {});
+  EXPECT_EQ(dense.leaveOneOutErrors(values).size(), 900);
+
+  const PointCloud many(Truth::randomBox(1500, 23));
+  const Values others = Truth::valuesOf(Truth::wave, many.points());
+  const GlobalSystem sparse(
+    { many, others }, parametersOf(KernelType::Wendland, supportOf(many, 10)), {});
+  try
+  {
+    sparse.leaveOneOutErrors(others);
+    ADD_FAILURE() << "not refused";
+  }
+  catch (const InvalidInput& refusal)
+  {
+    EXPECT_THAT(refusal.what(),
+      AllOf(HasSubstr("Wendland"), HasSubstr("Raise KernelWidth"), Not(HasSubstr("fewer"))));
+  }
+  const GlobalSystem wide({ many, others }, parametersOf(KernelType::Wendland, 0.8), {});
+  EXPECT_EQ(wide.leaveOneOutErrors(others).size(), 1500);
+}
+
+// What a sparse system is refused with has a condition too, and what to change.
+TEST(GlobalSystem, refusesSingularSparseSystems)
+{
+  Points points = Truth::randomBox(1500, 24);
+  for (const auto& [distance, condition] :
+    { std::pair(1e-8, "condition about"), std::pair(1e-10, "condition infinite") })
+  {
+    for (Eigen::Index i = 0; i < 20; i += 2)
+    {
+      points.col(i + 1) = points.col(i) + Vector3d(distance, 0.0, 0.0);
+    }
+    const PointCloud cloud(points);
+    EXPECT_THAT(refusalOf(cloud, parametersOf(KernelType::Wu, supportOf(cloud, 30))),
+      AllOf(HasSubstr("Wu"), HasSubstr(condition), HasSubstr("Lower KernelWidth"),
+        HasSubstr("Regularization"), HasSubstr("nearly coincide"), Not(HasSubstr("Cubic"))));
+  }
+}
+
 // An abort is heard while the width is chosen, in dense and in sparse work.
 TEST(GlobalSystem, canBeAborted)
 {
