@@ -1,5 +1,7 @@
 #include "RadialBasisFit.h"
 
+#include "RadialRefusal.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,9 @@ namespace
 constexpr std::size_t ColumnsPerBlock = 64; // of a parallel loop
 // A column of a least-squares system that the others explain up to this share is left out.
 constexpr double SmallestShare = 1e-10;
+// The share of a center's unit vector that is orthogonal to all polynomials, squared: below this,
+// the other centers lack a direction of the polynomial. At most four centers can have so little.
+constexpr double SmallestFreedom = 1e-6;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 using FourColumns = Eigen::Matrix<double, Eigen::Dynamic, 4>;
@@ -91,9 +96,12 @@ bool RadialBasisFit::factor(const PointsRef& centers, const RadialKernel& kernel
   this->centers_ = centers;
   this->rows_ = centers.transpose();
   this->kernel_ = kernel;
+  this->regularization_ = regularization;
   this->terms_ = LinearTerms(this->centers_);
   this->polynomials_.compute(this->terms_.at(this->centers_));
-  this->assemble(regularization, execution.part(0.0, 0.1));
+  // phi of the Linear kernel is a length, that of all others is of order 1.
+  const double unit = kernel.type() == KernelType::Linear ? kernel.width() : 1.0;
+  this->assemble(regularization * unit, execution.part(0.0, 0.1));
   this->transformKernelMatrix();
 
   const Eigen::Index count = centers.cols();
@@ -138,6 +146,32 @@ void RadialBasisFit::solve(const ValuesRef& values)
     .solveInPlace(polynomial);
   this->tail_ = this->terms_.polynomial(polynomial);
   this->tail_[0] += constant;
+  this->values_ = values;
+}
+
+double RadialBasisFit::largestResidual() const
+{
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < this->values_.size(); ++i)
+  {
+    const double miss = std::abs(this->value(this->centers_.col(i)) - this->values_[i]);
+    if (!std::isfinite(miss))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    largest = std::max(largest, miss);
+  }
+  return largest;
+}
+
+double RadialBasisFit::residualBound() const
+{
+  const auto offsets = this->centers_.colwise() - this->terms_.origin();
+  const double radius = std::sqrt(offsets.colwise().squaredNorm().maxCoeff());
+  const double phi =
+    std::max(std::abs(this->kernel_.value(0.0)), std::abs(this->kernel_.value(2.0 * radius)));
+  return static_cast<double>(this->values_.size()) * std::numeric_limits<double>::epsilon() *
+    (phi * this->coefficients_.lpNorm<1>() + this->tail_.tail<3>().norm() * radius);
 }
 
 bool RadialBasisFit::approximate(const PointsRef& centers, const RadialKernel& kernel,
@@ -218,16 +252,60 @@ double RadialBasisFit::reciprocalCondition() const
   return std::min(this->pivotRatio_, this->cholesky_.rcond());
 }
 
-Values RadialBasisFit::leaveOneOutErrors() const
+double RadialBasisFit::errorWithout(Eigen::Index center) const
 {
-  // With G = Q2 B22^-1 Q2^T, alpha = G f and the error at i is alpha_i / G_ii.
+  const Eigen::Index last = this->centers_.cols() - 1;
+  Points others = this->centers_.leftCols(last);
+  Values values = this->values_.head(last);
+  if (center < last)
+  {
+    others.col(center) = this->centers_.col(last);
+    values[center] = this->values_[last];
+  }
+  RadialBasisFit fit;
+  if (!fit.factor(others, this->kernel_, this->regularization_))
+  {
+    refuseRadialSystem(this->kernel_, fit.reciprocalCondition(),
+      "that makes the system without one of its centers singular");
+  }
+  fit.solve(values);
+  return this->values_[center] - fit.value(this->centers_.col(center));
+}
+
+Values RadialBasisFit::leaveOneOutErrors(const Execution& execution) const
+{
   const Eigen::Index count = this->matrix_.rows();
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(count, count);
-  basis.applyOnTheLeft(this->polynomials_.householderQ().adjoint());
-  Eigen::MatrixXd rows = basis.bottomRows(count - this->terms_.count());
-  this->cholesky_.matrixL().solveInPlace(rows);
-  const Values diagonal = rows.colwise().squaredNorm().transpose();
-  return this->kernel_.sign() * this->coefficients_.cwiseQuotient(diagonal);
+  if (count < 2)
+  {
+    throw InvalidInput("at least 2 samples for leave-one-out errors", std::to_string(count),
+      "Use more samples, or switch the errors off.");
+  }
+  // With G = Q2 B22^-1 Q2^T, alpha = G f and the error at i is alpha_i / G_ii.
+  const Eigen::Index rest = count - this->terms_.count();
+  Values result(count);
+  const auto divide = [&](std::size_t begin, std::size_t end)
+  {
+    const auto first = static_cast<Eigen::Index>(begin);
+    const auto width = static_cast<Eigen::Index>(end) - first;
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(count, width);
+    basis.middleRows(first, width).setIdentity();
+    basis.applyOnTheLeft(this->polynomials_.householderQ().adjoint());
+    Eigen::MatrixXd rows = basis.bottomRows(rest);
+    const Values freedom = rows.colwise().squaredNorm().transpose();
+    if (rest > 0)
+    {
+      this->cholesky_.matrixL().solveInPlace(rows);
+    }
+    for (Eigen::Index j = 0; j < width; ++j)
+    {
+      const Eigen::Index i = first + j;
+      result[i] = freedom[j] < SmallestFreedom
+        ? this->errorWithout(i)
+        : this->kernel_.sign() * this->coefficients_[i] / rows.col(j).squaredNorm();
+    }
+  };
+  parallelFor(static_cast<std::size_t>(count), ColumnsPerBlock, execution, divide);
+  return result;
 }
 
 } // namespace SurfaceScalars

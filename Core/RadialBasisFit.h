@@ -30,7 +30,8 @@ public:
    * Prepares interpolation at these centers, which must be distinct.
    *
    * @param regularization >= 0, added to the diagonal of the kernel matrix: 0 interpolates, larger
-   * values smooth
+   * values smooth. Relative to a phi of order 1, so without a unit: with the Linear kernel, whose
+   * phi is a length, the kernel's width times this is added
    * @returns whether the system is positive definite; if not, nothing else may be called but
    * reciprocalCondition()
    * @throws Aborted
@@ -64,18 +65,33 @@ public:
   /// Estimate of 1 / condition of the factored matrix, 0 if it is not positive definite.
   double reciprocalCondition() const;
 
-  /// What interpolation at all other centers would miss the value at each by, without solving again
-  /// (Rippa 1999, here with the polynomial). After solve().
-  Values leaveOneOutErrors() const;
+  /// By how much the sum misses a value that it was solved for, infinite if it is not finite; in
+  /// the square of the count. After solve().
+  double largestResidual() const;
+  /// What rounding makes of it at most, from the size of the terms of the sum, where nothing
+  /// regularizes; in time of the count. After solve().
+  double residualBound() const;
+
+  /**
+   * What interpolation at all other centers would miss the value at each by, without solving again
+   * (Rippa 1999, here with the polynomial). Only the few centers without which the polynomial loses
+   * a direction, where that divides 0 by 0, are left out in earnest. After solve().
+   *
+   * @throws InvalidInput for a single center; Aborted
+   */
+  Values leaveOneOutErrors(const Execution& execution = { 1, {} }) const;
 
 private:
   void assemble(double regularization, const Execution& execution);
   void transformKernelMatrix();
+  double errorWithout(Eigen::Index center) const;
 
   Points centers_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> rows_; ///< the centers once more, for long loops
   RadialKernel kernel_{ KernelType::Cubic, 1.0 };
+  double regularization_ = 0.0;
   LinearTerms terms_;
+  Values values_; ///< that it was solved for
   Values coefficients_;
   Eigen::Vector4d tail_ = Eigen::Vector4d::Zero();
   Eigen::MatrixXd matrix_; ///< of the kernel, then in the basis of the reflections

@@ -82,8 +82,10 @@ TEST(GlobalSystem, equalsTheBorderedSystem)
       const FieldParameters parameters = parametersOf(kernel, widthOf(kernel), regularization);
       const GlobalSystem system({ cloud, values }, parameters, {});
       const Values found = evaluate(cloud, system.solve(values, {}), places);
+      const double unit = kernel == KernelType::Linear ? widthOf(kernel) : 1.0; // of phi
       const Values truth = Truth::valuesOf(
-        Truth::solveBordered(cloud.points(), system.kernel(), regularization, values), places);
+        Truth::solveBordered(cloud.points(), system.kernel(), unit * regularization, values),
+        places);
       EXPECT_LT((found - truth).lpNorm<Eigen::Infinity>(), 1e-9) << static_cast<int>(kernel);
     }
   }

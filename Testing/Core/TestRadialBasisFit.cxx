@@ -1,3 +1,4 @@
+#include "Error.h"
 #include "RadialBasisFit.h"
 #include "RadialTruth.h"
 
@@ -80,7 +81,9 @@ TEST(RadialBasisFit, equalsTheBorderedSystem)
     for (const double regularization : { 0.0, 0.1 })
     {
       const RadialBasisFit fit = fitOf(centers, kernelOf(type), values, regularization);
-      const auto truth = Truth::solveBordered(centers, kernelOf(type), regularization, values);
+      const double unit = type == KernelType::Linear ? kernelOf(type).width() : 1.0; // of phi
+      const auto truth =
+        Truth::solveBordered(centers, kernelOf(type), unit * regularization, values);
       for (Eigen::Index i = 0; i < places.cols(); ++i)
       {
         EXPECT_NEAR(fit.value(places.col(i)), truth(places.col(i)), 1e-9) << static_cast<int>(type);
@@ -201,6 +204,80 @@ TEST(RadialBasisFit, leaveOneOutEqualsFittingWithout)
         }
       }
     }
+  }
+}
+
+// Also for the sample without which the polynomial loses a direction, or that leaves one alone.
+TEST(RadialBasisFit, leaveOneOutWhereATermIsLost)
+{
+  Points centers = Truth::randomBox(60, 16);
+  centers.row(2).setZero();
+  centers(2, 17) = 0.5;
+  const Values values = Truth::valuesOf(Truth::wave, centers);
+  Points others = centers;
+  others.col(17) = centers.col(59);
+  Values rest = values;
+  rest[17] = values[59];
+  const RadialKernel cubic(KernelType::Cubic, 1.0);
+  const RadialBasisFit without = fitOf(others.leftCols(59), cubic, rest.head(59));
+  const Values errors = fitOf(centers, cubic, values).leaveOneOutErrors();
+  EXPECT_NEAR(errors[17], values[17] - without.value(centers.col(17)), 1e-10);
+
+  const Values two =
+    fitOf(centers.leftCols(2), cubic, Eigen::Vector2d(1.0, 4.0)).leaveOneOutErrors();
+  EXPECT_NEAR(two[0], -3.0, 1e-12);
+  EXPECT_NEAR(two[1], 3.0, 1e-12);
+  EXPECT_THROW(fitOf(centers.leftCols(1), cubic, values.head(1)).leaveOneOutErrors(), InvalidInput);
+}
+
+// Leaving one out ends soon after it is asked to, and does not depend on the threads.
+TEST(RadialBasisFit, leaveOneOutRunsAsItIsTold)
+{
+  const RadialKernel cubic(KernelType::Cubic, 1.0);
+  const Points centers = Truth::randomBox(300, 17);
+  const RadialBasisFit fit = fitOf(centers, cubic, Truth::valuesOf(Truth::wave, centers));
+  EXPECT_EQ(fit.leaveOneOutErrors(), fit.leaveOneOutErrors({ 3, {} }));
+  EXPECT_THROW(fit.leaveOneOutErrors({ 1, [](double) { return false; } }), Aborted);
+}
+
+// The regularization of the Linear kernel has no unit: in millimeters, the fit is the same.
+TEST(RadialBasisFit, regularizationHasNoUnit)
+{
+  const Points centers = Truth::randomBox(60, 18);
+  const Values values = Truth::valuesOf(Truth::wave, centers);
+  const Vector3d place(0.1, 0.2, -0.3);
+  for (const KernelType type : Truth::interpolatingKernels())
+  {
+    const double meters = fitOf(centers, { type, 0.5 }, values, 0.1).value(place);
+    EXPECT_NEAR(fitOf(1e3 * centers, { type, 5e2 }, values, 0.1).value(1e3 * place), meters, 1e-9)
+      << nameOf(type);
+  }
+}
+
+// Samples of a plane with noise do not say how f changes away from it.
+TEST(RadialBasisFit, noiseMakesNoSlope)
+{
+  for (const double noise : { 1e-5, 1e-4 })
+  {
+    Points centers = Truth::randomBox(40, 19);
+    centers.row(2) *= noise;
+    const Values values = Truth::valuesOf(Truth::wave, centers);
+    const RadialBasisFit fit = fitOf(centers, { KernelType::Cubic, 1.0 }, values);
+    EXPECT_LT(std::abs(fit.tail()[3]), 1e-2);
+    EXPECT_LT(std::abs(fit.value(Vector3d(0.1, 0.2, 0.5))), 2.0);
+  }
+}
+
+// The residual is that of the values, and rounding alone makes it.
+TEST(RadialBasisFit, boundsItsResidual)
+{
+  const Points centers = Truth::randomBox(60, 20);
+  const Values values = Truth::valuesOf(Truth::wave, centers);
+  for (const KernelType type : Truth::interpolatingKernels())
+  {
+    const RadialBasisFit fit = fitOf(centers, kernelOf(type), values);
+    EXPECT_LE(fit.largestResidual(), fit.residualBound()) << nameOf(type);
+    EXPECT_GT(fitOf(centers, kernelOf(type), values, 0.1).largestResidual(), 1e-4) << nameOf(type);
   }
 }
 
