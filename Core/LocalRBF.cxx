@@ -1,7 +1,7 @@
 #include "Error.h"
 #include "FieldSchemes.h"
-#include "NumberText.h"
 #include "RadialBasisFit.h"
+#include "RadialRefusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,28 @@ namespace
 // Dense systems larger than this take seconds for each place.
 constexpr std::size_t MostNeighbors = 2000;
 
+constexpr double LargestResidual = 1e-5;  // relative to the range of values: beyond, f~ is noise
+constexpr double ChosenResidual = 1e-10;  // with a width that was chosen here
+constexpr double ChosenCondition = 1e-10; // its reciprocal, likewise
+constexpr double WidthReduction = 0.5;    // of a chosen width that proves too large
+constexpr int MostReductions = 3;
+
 /// h where it is chosen, in radii of the neighborhood: wider is more accurate and closer to
-/// singular. Measured on random samples of a surface, with room for pairs a thousandth of a
-/// sampling step apart, which there are among a million; powers and thin plates depend on it only
-/// through the unit of the regularization.
+/// singular, and overshoots between irregular samples whose values jump. Measured on random samples
+/// of a surface and on random stations in a plane, where all kernels come near to Cubic; powers and
+/// thin plates depend on it only through the unit of the regularization.
 double widthInRadii(KernelType kernel)
 {
   switch (kernel)
   {
     case KernelType::Gaussian:
-      return 0.5;
+      return 0.25;
     case KernelType::Exponential:
       return 2.0;
     case KernelType::Multiquadric:
-      return 0.75;
+      return 0.2;
+    case KernelType::InverseMultiquadric:
+      return 0.3;
     case KernelType::Wendland:
     case KernelType::Wu:
       return 5.0;
@@ -55,7 +63,9 @@ public:
 
 private:
   void fit(const std::vector<Index>& neighbors);
-  [[noreturn]] void refuse(double width) const;
+  bool fitChosen(double width);
+  void fitOrRefuse(double width);
+  double residual(double enough) const;
 
   FieldSamples samples_;
   FieldParameters parameters_;
@@ -104,26 +114,70 @@ void LocalRBF::fit(const std::vector<Index>& neighbors)
   const Vector3d middle = this->centers_.rowwise().mean();
   const double radius =
     std::sqrt((this->centers_.colwise() - middle).colwise().squaredNorm().maxCoeff());
-  double width = this->parameters_.kernelWidth;
-  if (!(width > 0.0))
+  if (this->parameters_.kernelWidth > 0.0)
   {
-    width = radius > 0.0 ? widthInRadii(this->parameters_.kernel) * radius : 1.0;
+    this->fitOrRefuse(this->parameters_.kernelWidth);
+    return;
   }
-  if (!this->fit_.factor(this->centers_, RadialKernel(this->parameters_.kernel, width),
-        this->parameters_.regularization))
+  double width = radius > 0.0 ? widthInRadii(this->parameters_.kernel) * radius : 1.0;
+  if (RadialKernel(this->parameters_.kernel, width).dependsOnWidth())
   {
-    this->refuse(width);
+    for (int reduction = 0; reduction < MostReductions; ++reduction)
+    {
+      if (this->fitChosen(width))
+      {
+        return;
+      }
+      width *= WidthReduction;
+    }
   }
-  this->fit_.solve(this->values_);
+  this->fitOrRefuse(width);
 }
 
-void LocalRBF::refuse(double width) const
+/// @returns whether the fit is far from singular
+bool LocalRBF::fitChosen(double width)
 {
-  throw InvalidInput("kernels whose system can be solved at machine precision",
-    "a " + std::string(nameOf(this->parameters_.kernel)) + " kernel of width " + textOf(width) +
-      " that makes the system of " + std::to_string(this->centers_.cols()) +
-      " neighbors singular (reciprocal condition " + textOf(this->fit_.reciprocalCondition()) + ")",
-    "Lower KernelWidth, raise Regularization to 1e-10 or so, or choose the Cubic Kernel.");
+  if (!this->fit_.factor(this->centers_, RadialKernel(this->parameters_.kernel, width),
+        this->parameters_.regularization) ||
+    this->fit_.reciprocalCondition() < ChosenCondition)
+  {
+    return false;
+  }
+  this->fit_.solve(this->values_);
+  return this->residual(ChosenResidual) <= ChosenResidual;
+}
+
+void LocalRBF::fitOrRefuse(double width)
+{
+  const RadialKernel kernel(this->parameters_.kernel, width);
+  const std::string neighbors = std::to_string(this->centers_.cols()) + " neighbors";
+  if (!this->fit_.factor(this->centers_, kernel, this->parameters_.regularization))
+  {
+    refuseRadialSystem(kernel, this->fit_.reciprocalCondition(),
+      "that makes the system of " + neighbors + " singular");
+  }
+  this->fit_.solve(this->values_);
+  const double residual = this->residual(LargestResidual);
+  if (residual > LargestResidual)
+  {
+    refuseRadialSystem(kernel, this->fit_.reciprocalCondition(),
+      "whose interpolant of " + neighbors + " misses them by " + textOf(residual) +
+        " of the range of their values");
+  }
+}
+
+/// By how much f~ misses the neighbors, relative to the range of their values; 0 where it may,
+/// or is certain to be less than enough.
+double LocalRBF::residual(double enough) const
+{
+  const double range = this->values_.maxCoeff() - this->values_.minCoeff();
+  const double rounding = 1e-14 * this->values_.lpNorm<Eigen::Infinity>();
+  if (this->parameters_.regularization > 0.0 || this->fit_.residualBound() <= enough * range)
+  {
+    return 0.0;
+  }
+  const double residual = this->fit_.largestResidual();
+  return residual <= rounding ? 0.0 : residual / range;
 }
 
 } // namespace

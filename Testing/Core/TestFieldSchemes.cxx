@@ -1,3 +1,4 @@
+#include "Error.h"
 #include "FieldTruth.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,59 @@ TEST(FieldSchemes, interpolate)
       Field::fit(input.points, input.values, parametersOf(Scheme::LocalRBF, kernel));
     const Values values = field.evaluate(input.points, {}).values;
     EXPECT_LT((values - input.values).cwiseAbs().maxCoeff(), 1e-10 * range);
+  }
+}
+
+// Noise too: a width that is chosen interpolates it, a given one does or is refused.
+TEST(FieldSchemes, interpolateNoiseOrRefuse)
+{
+  FieldInput input = Truth::torusInput(500, 16);
+  input.values.setZero();
+  Truth::addNoise(input.values, 1.0, 17);
+  const double range = input.values.maxCoeff() - input.values.minCoeff();
+  const auto largestMiss = [&](const FieldParameters& parameters)
+  {
+    const Field field = Field::fit(input.points, input.values, parameters);
+    return (field.evaluate(input.points, {}).values - input.values).cwiseAbs().maxCoeff();
+  };
+  for (const KernelType kernel : Truth::interpolatingKernels())
+  {
+    SCOPED_TRACE(nameOf(kernel));
+    FieldParameters parameters = parametersOf(Scheme::LocalRBF, kernel);
+    parameters.neighborCount = 32;
+    EXPECT_LT(largestMiss(parameters), 1e-9 * range);
+    for (const double width : { 0.5, 1.0, 2.0, 3.0, 4.0 })
+    {
+      parameters.kernelWidth = width;
+      try
+      {
+        EXPECT_LT(largestMiss(parameters), 1e-5 * range) << width;
+      }
+      catch (const InvalidInput&)
+      {
+      }
+    }
+  }
+}
+
+// Between scattered stations with values that jump, no kernel is far worse than the cubic one.
+TEST(FieldSchemes, chosenWidthsSuitScatteredStations)
+{
+  const Points stations = Truth::randomPlane(400, 18);
+  Values values = Truth::valuesOf(
+    [](const Vector3d& p) { return std::sin(3.0 * p.x()) * std::cos(4.0 * p.y()); }, stations);
+  Truth::addNoise(values, 0.1, 19);
+  const auto error = [&](KernelType kernel)
+  {
+    FieldParameters parameters = parametersOf(Scheme::LocalRBF, kernel);
+    parameters.neighborCount = 32;
+    const Field field = Field::fit(stations.leftCols(100), values.head(100), parameters);
+    return (field.evaluate(stations.rightCols(300), {}).values - values.tail(300)).norm();
+  };
+  const double cubic = error(KernelType::Cubic);
+  for (const KernelType kernel : Truth::interpolatingKernels())
+  {
+    EXPECT_LT(error(kernel), 2.0 * cubic) << nameOf(kernel);
   }
 }
 
