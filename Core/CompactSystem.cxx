@@ -2,6 +2,7 @@
 
 #include "FieldChecks.h"
 #include "NumberText.h"
+#include "RadialRefusal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -179,14 +179,15 @@ std::size_t Field::contradictionCount() const
   return this->implementation_->contradictions;
 }
 
-Values Field::leaveOneOutErrors() const
+Values Field::leaveOneOutErrors(const Execution& execution) const
 {
   if (!this->implementation_->system)
   {
     throw InvalidInput("the GlobalRBF scheme for leave-one-out errors", "another scheme or a model",
       "Choose the GlobalRBF Scheme.");
   }
-  return this->implementation_->system->leaveOneOutErrors(this->implementation_->centerValues);
+  return this->implementation_->system->leaveOneOutErrors(
+    this->implementation_->centerValues, execution);
 }
 
 std::unique_ptr<FieldApproximation> Field::approximation() const

@@ -79,7 +79,7 @@ public:
   /// f at each center less what all other centers predict there, without solving again (Rippa
   /// 1999).
   /// @throws InvalidInput unless the scheme is GlobalRBF with a dense system, fitted here
-  Values leaveOneOutErrors() const;
+  Values leaveOneOutErrors(const Execution& execution = {}) const;
 
   /// One for each thread; valid as long as the field.
   std::unique_ptr<FieldApproximation> approximation() const;

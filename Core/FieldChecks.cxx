@@ -122,27 +122,6 @@ void checkNeighborhood(std::size_t sampleCount)
   }
 }
 
-void refuseSystem(const std::string& found, const RadialKernel& kernel, double condition)
-{
-  std::string remedy = "Lower KernelWidth, raise Regularization to 1e-10 or so, or choose the "
-                       "Cubic Kernel.";
-  if (!kernel.dependsOnWidth())
-  {
-    remedy = "Raise Regularization to 1e-10 or so, or leave out points far from the others or that "
-             "nearly coincide.";
-  }
-  else if (std::isfinite(kernel.support()))
-  {
-    remedy = "Lower KernelWidth, raise Regularization to 1e-10 or so, or leave out points that "
-             "nearly coincide.";
-  }
-  throw InvalidInput("a kernel whose system can be solved at machine precision",
-    found + " with the " + nameOf(kernel.type()) + " kernel" +
-      (kernel.dependsOnWidth() ? " of width " + textOf(kernel.width()) : "") + " (condition " +
-      (std::isfinite(condition) ? "about " + textOf(condition) : "infinite") + ")",
-    remedy);
-}
-
 void checkFieldModel(const FieldModel& model)
 {
   checkFieldParameters(model.parameters);

@@ -18,11 +18,6 @@ void checkFieldSamples(const PointCloud& cloud, const FieldParameters& parameter
 /// @throws InvalidInput
 void checkNeighborhood(std::size_t sampleCount);
 
-/// Says what to change about a system that cannot be solved.
-/// @param condition an estimate; infinite if the system is singular @throws InvalidInput
-[[noreturn]] void refuseSystem(
-  const std::string& found, const RadialKernel& kernel, double condition);
-
 /// @throws InvalidInput unless the numbers of a model fit together
 void checkFieldModel(const FieldModel& model);
 

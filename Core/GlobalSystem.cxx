@@ -4,11 +4,11 @@
 #include "FieldChecks.h"
 #include "KernelWidth.h"
 #include "NumberText.h"
+#include "RadialRefusal.h"
 #include "RadialSum.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -157,9 +157,7 @@ bool GlobalSystem::isSparse(const Execution& execution) const
 
 void GlobalSystem::refuse(const std::string& found) const
 {
-  const double reciprocal = this->dense_->reciprocalCondition();
-  refuseSystem(found, this->kernel_,
-    reciprocal > 0.0 ? 1.0 / reciprocal : std::numeric_limits<double>::infinity());
+  refuseSystem(found, this->kernel_, 1.0 / this->dense_->reciprocalCondition());
 }
 
 GlobalSum GlobalSystem::solve(const Values& values, const Execution& execution) const
@@ -189,7 +187,7 @@ GlobalSum GlobalSystem::solve(const Values& values, const Execution& execution) 
   return result;
 }
 
-Values GlobalSystem::leaveOneOutErrors(const Values& values) const
+Values GlobalSystem::leaveOneOutErrors(const Values& values, const Execution& execution) const
 {
   if (!this->dense_)
   {
@@ -203,7 +201,7 @@ Values GlobalSystem::leaveOneOutErrors(const Values& values) const
   }
   const std::lock_guard<std::mutex> lock(this->mutex_);
   this->dense_->solve(values);
-  return this->dense_->leaveOneOutErrors();
+  return this->dense_->leaveOneOutErrors(execution);
 }
 
 void GlobalSystem::checkResidual(

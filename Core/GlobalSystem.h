@@ -45,7 +45,7 @@ public:
   GlobalSum solve(const Values& values, const Execution& execution) const;
 
   /// As Field::leaveOneOutErrors().
-  Values leaveOneOutErrors(const Values& values) const;
+  Values leaveOneOutErrors(const Values& values, const Execution& execution = {}) const;
 
 private:
   bool isSparse(const Execution& execution) const;

@@ -1,4 +1,5 @@
 #include "Error.h"
+#include "FieldChecks.h"
 #include "FieldSchemes.h"
 #include "RadialBasisFit.h"
 #include "RadialRefusal.h"
@@ -10,9 +11,6 @@ namespace SurfaceScalars
 {
 namespace
 {
-
-// Dense systems larger than this take seconds for each place.
-constexpr std::size_t MostNeighbors = 2000;
 
 constexpr double LargestResidual = 1e-5;  // relative to the range of values: beyond, f~ is noise
 constexpr double ChosenResidual = 1e-10;  // with a width that was chosen here
@@ -89,11 +87,7 @@ bool LocalRBF::center(const Vector3d& place)
   {
     return !this->found_.empty(); // one fit serves all places that have the same neighbors
   }
-  if (this->found_.size() > MostNeighbors)
-  {
-    throw InvalidInput("at most " + std::to_string(MostNeighbors) + " samples in a neighborhood",
-      std::to_string(this->found_.size()), "Lower SearchRadius or NeighborCount.");
-  }
+  checkNeighborhood(this->found_.size());
   this->neighbors_.clear(); // until the new fit is there
   this->fit(this->found_);
   this->neighbors_ = this->found_;
@@ -153,16 +147,16 @@ void LocalRBF::fitOrRefuse(double width)
   const std::string neighbors = std::to_string(this->centers_.cols()) + " neighbors";
   if (!this->fit_.factor(this->centers_, kernel, this->parameters_.regularization))
   {
-    refuseRadialSystem(kernel, this->fit_.reciprocalCondition(),
-      "that makes the system of " + neighbors + " singular");
+    refuseSystem(
+      "a singular system of " + neighbors, kernel, 1.0 / this->fit_.reciprocalCondition());
   }
   this->fit_.solve(this->values_);
   const double residual = this->residual(LargestResidual);
   if (residual > LargestResidual)
   {
-    refuseRadialSystem(kernel, this->fit_.reciprocalCondition(),
-      "whose interpolant of " + neighbors + " misses them by " + textOf(residual) +
-        " of the range of their values");
+    refuseSystem("an interpolant of " + neighbors + " that misses them by " + textOf(residual) +
+        " of the range of their values",
+      kernel, 1.0 / this->fit_.reciprocalCondition());
   }
 }
 

@@ -265,8 +265,8 @@ double RadialBasisFit::errorWithout(Eigen::Index center) const
   RadialBasisFit fit;
   if (!fit.factor(others, this->kernel_, this->regularization_))
   {
-    refuseRadialSystem(this->kernel_, fit.reciprocalCondition(),
-      "that makes the system without one of its centers singular");
+    refuseSystem("a singular system without one of the centers", this->kernel_,
+      1.0 / fit.reciprocalCondition());
   }
   fit.solve(values);
   return this->values_[center] - fit.value(this->centers_.col(center));

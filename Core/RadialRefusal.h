@@ -4,23 +4,34 @@
 #include "NumberText.h"
 #include "RadialKernel.h"
 
+#include <cmath>
 #include <string>
 
 namespace SurfaceScalars
 {
 
-/// Says that a system of radial functions cannot be solved, and what helps with its kernel.
-/// @param flaw "that makes ... singular" @throws InvalidInput
-[[noreturn]] inline void refuseRadialSystem(
-  const RadialKernel& kernel, double reciprocalCondition, const std::string& flaw)
+/// Says what to change about a system that cannot be solved.
+/// @param condition an estimate; infinite if the system is singular @throws InvalidInput
+[[noreturn]] inline void refuseSystem(
+  const std::string& found, const RadialKernel& kernel, double condition)
 {
+  std::string remedy = "Lower KernelWidth, raise Regularization to 1e-10 or so, or choose the "
+                       "Cubic Kernel.";
+  if (!kernel.dependsOnWidth())
+  {
+    remedy = "Raise Regularization to 1e-10 or so, or leave out points far from the others or that "
+             "nearly coincide.";
+  }
+  else if (std::isfinite(kernel.support()))
+  {
+    remedy = "Lower KernelWidth, raise Regularization to 1e-10 or so, or leave out points that "
+             "nearly coincide.";
+  }
   throw InvalidInput("a kernel whose system can be solved at machine precision",
-    "a " + std::string(nameOf(kernel.type())) + " kernel of width " + textOf(kernel.width()) + " " +
-      flaw + " (condition " +
-      (reciprocalCondition > 0.0 ? "about " + textOf(1.0 / reciprocalCondition) : "infinite") + ")",
-    kernel.dependsOnWidth()
-      ? "Lower KernelWidth, raise Regularization to 1e-10 or so, or choose the Cubic Kernel."
-      : "Raise Regularization to 1e-10 or so, or leave points out that nearly coincide.");
+    found + " with the " + nameOf(kernel.type()) + " kernel" +
+      (kernel.dependsOnWidth() ? " of width " + textOf(kernel.width()) : "") + " (condition " +
+      (std::isfinite(condition) ? "about " + textOf(condition) : "infinite") + ")",
+    remedy);
 }
 
 } // namespace SurfaceScalars

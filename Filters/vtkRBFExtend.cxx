@@ -197,7 +197,8 @@ int vtkRBFExtend::RequestData(
       const Field& field =
         this->FieldOf(std::move(samples), run, execution.part(ReadShare, FitShare));
       const bool leaveOneOut = this->ComputeLeaveOneOutErrors && this->GetScheme() == GLOBAL_RBF;
-      const Values leaveOneOutErrors = leaveOneOut ? field.leaveOneOutErrors() : Values();
+      const Values leaveOneOutErrors =
+        leaveOneOut ? field.leaveOneOutErrors(execution.part(FitShare, FitShare)) : Values();
       writeOnTarget(field, targetRequestOf(*this, valueName), target, run,
         execution.part(FitShare, 1.0), vtkDataObject::GetData(outputs, 0));
       vtkPolyData* model = vtkPolyData::GetData(outputs, 1);

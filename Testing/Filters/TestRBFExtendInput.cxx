@@ -122,7 +122,7 @@ TEST(RBFExtendInput, aKernelWidthThatMakesTheSystemSingular)
   filter->SetKernel(vtkRBFExtend::GAUSSIAN);
   filter->SetKernelWidth(100.0);
   expectRefusal(filter, waveSamples(),
-    { "found a Gaussian kernel of width 100", "singular", "condition", "KernelWidth" });
+    { "the Gaussian kernel of width 100", "singular", "condition", "KernelWidth" });
 }
 
 // Samples with NaN are left out and counted; the rest is as if they were not there.
