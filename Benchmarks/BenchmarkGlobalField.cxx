@@ -13,6 +13,10 @@ FieldParameters globalParameters(const benchmark::State& state)
   FieldParameters parameters;
   parameters.scheme = Scheme::GlobalRBF;
   parameters.kernel = static_cast<KernelType>(state.range(1));
+  if (parameters.kernel == KernelType::Wendland)
+  {
+    parameters.kernelWidth = 0.06; // some 70 neighbors; an automatic width follows the values
+  }
   return parameters;
 }
 
