@@ -31,6 +31,7 @@ std::vector<int> overlapping(const SparseMatrix& matrix, int begin, int end)
     }
   }
   std::vector<std::pair<double, int>> outside; // the nearest first
+  outside.reserve(largest.size());
   for (const auto& [column, value] : largest)
   {
     outside.emplace_back(-value, column);

@@ -12,8 +12,6 @@
 #include <cstdlib>
 #include <new>
 
-#include <algorithm>
-
 namespace SurfaceScalars
 {
 namespace
