@@ -1,8 +1,8 @@
 #include "ContourChecks.h"
 
-#include "Error.h"
 #include "LocalFit.h"
 #include "NumberText.h"
+#include "Require.h"
 #include "SchemeModels.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,14 +15,6 @@ namespace SurfaceScalars
 {
 namespace
 {
-
-void require(bool condition, const char* expected, const std::string& found, const char* remedy)
-{
-  if (!condition)
-  {
-    throw InvalidInput(expected, found, remedy);
-  }
-}
 
 void checkParameters(
   const NeighborGraph& graph, const ValuesRef& values, const ContourParameters& parameters)
@@ -48,11 +40,10 @@ void checkParameters(
   const int terms = LocalFit::termCount(polynomialDegree(parameters));
   const int fewest = terms + 1; // the point in the middle, and the sample at the rim weighs nothing
   require(static_cast<int>(graph.pointCount()) >= fewest,
-    ("at least " + std::to_string(fewest) + " different points with a value to fit a surface")
-      .c_str(),
+    "at least " + std::to_string(fewest) + " different points with a value to fit a surface",
     std::to_string(graph.pointCount()), "Choose a larger input or a lower PolynomialDegree.");
   require(parameters.neighborCount == 0 || parameters.neighborCount >= fewest,
-    ("a NeighborCount of 0 (automatic) or at least " + std::to_string(fewest)).c_str(),
+    "a NeighborCount of 0 (automatic) or at least " + std::to_string(fewest),
     std::to_string(parameters.neighborCount), "Raise it or lower PolynomialDegree.");
   for (const double length : { parameters.searchRadius, parameters.kernelWidth,
          parameters.linkDistance, parameters.sampleSpacing })
@@ -94,18 +85,12 @@ void checkSpread(const NeighborGraph& graph)
     std::to_string(graph.pointCount()) + " points on one line", "Choose another input.");
 }
 
-} // namespace
-
-namespace
-{
-
 /// Far finer than the samples nothing is known, and memory has an end.
 void checkSpacing(const NeighborGraph& graph, const ContourParameters& parameters)
 {
   const double finest = 1e-3 * graph.medianSamplingStep();
   require(parameters.sampleSpacing == 0.0 || parameters.sampleSpacing >= finest,
-    ("a SampleSpacing of 0 or at least " + textOf(finest) + ", a thousandth of the sampling step")
-      .c_str(),
+    "a SampleSpacing of 0 or at least " + textOf(finest) + ", a thousandth of the sampling step",
     textOf(parameters.sampleSpacing), "Raise it.");
 }
 

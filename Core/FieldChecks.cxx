@@ -1,8 +1,8 @@
 #include "FieldChecks.h"
 
-#include "Error.h"
 #include "LocalFit.h"
 #include "NumberText.h"
+#include "Require.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -16,15 +16,6 @@ namespace
 
 // Dense systems larger than this take seconds for each place.
 constexpr std::size_t MostNeighbors = 2000;
-
-void require(
-  bool condition, const std::string& expected, const std::string& found, const std::string& remedy)
-{
-  if (!condition)
-  {
-    throw InvalidInput(expected, found, remedy);
-  }
-}
 
 void requireLength(double length, const char* name)
 {

@@ -1,6 +1,7 @@
 #include "RadialBasisFit.h"
 
 #include "RadialRefusal.h"
+#include "RadialSum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,32 +213,16 @@ double RadialBasisFit::value(const Vector3d& place) const
 
 FieldJet RadialBasisFit::jet(const Vector3d& place, Derivatives derivatives) const
 {
-  FieldJet result;
-  result.value = this->value(place);
-  if (derivatives == Derivatives::None)
+  FieldJet result = linearJet(this->tail_, place - this->terms_.origin());
+  if (derivatives != Derivatives::None)
   {
-    return result;
-  }
-  result.gradient = this->tail_.tail<3>();
-  result.hessian.setZero();
-  for (Eigen::Index i = 0; i < this->centers_.cols(); ++i)
-  {
-    const Vector3d offset = place - this->centers_.col(i);
-    const double radius = offset.norm();
-    const KernelJet phi = this->kernel_.jet(radius);
-    const double alpha = this->coefficients_[i];
-    result.gradient += (alpha * phi.slopeOverRadius) * offset;
-    if (derivatives == Derivatives::Hessian)
+    for (Eigen::Index i = 0; i < this->centers_.cols(); ++i)
     {
-      result.hessian.diagonal().array() += alpha * phi.slopeOverRadius;
-      if (radius > 0.0)
-      {
-        const Vector3d direction = offset / radius;
-        result.hessian +=
-          (alpha * (phi.curvature - phi.slopeOverRadius)) * direction * direction.transpose();
-      }
+      addRadialTerm(
+        result, this->coefficients_[i], this->kernel_, place - this->centers_.col(i), derivatives);
     }
   }
+  result.value = this->value(place); // to the same bits, whatever derivatives are asked for
   return result;
 }
 

@@ -132,6 +132,30 @@ void expectFailure(vtkAlgorithm* filter, const Outcome& outcome, const std::stri
   expectParts(outcome.errors.front(), parts);
 }
 
+void expectNothingWhenStopped(vtkAlgorithm* filter, double fraction)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&fraction);
+  observer->SetCallback(
+    [](vtkObject* running, unsigned long, void* limit, void* progress)
+    {
+      if (*static_cast<double*>(progress) >= *static_cast<double*>(limit))
+      {
+        vtkAlgorithm::SafeDownCast(running)->SetAbortExecute(1);
+      }
+    });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  const Outcome stopped = update(filter);
+  EXPECT_TRUE(stopped.succeeded);
+  EXPECT_THAT(stopped.errors, ::testing::IsEmpty());
+  EXPECT_THAT(stopped.warnings, ::testing::IsEmpty());
+  expectEmptyOutputs(filter);
+
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+}
+
 void expectEmptyOutputs(vtkAlgorithm* filter)
 {
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)

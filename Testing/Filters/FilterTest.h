@@ -66,6 +66,10 @@ void expectWarning(const Outcome& outcome, std::initializer_list<const char*> pa
 void expectFailure(vtkAlgorithm* filter, const Outcome& outcome, const std::string& speaker,
   std::initializer_list<const char*> parts);
 
+/// Stops the filter as soon as its progress reaches the fraction and expects that it leaves nothing
+/// and says nothing; afterwards it can run again.
+void expectNothingWhenStopped(vtkAlgorithm* filter, double fraction);
+
 /// Expects that no output of the filter has points, cells or arrays.
 void expectEmptyOutputs(vtkAlgorithm* filter);
 

@@ -40,27 +40,6 @@ void chooseTwentyValues(vtkPointSetContour* filter)
   }
 }
 
-/// Stops the filter as soon as its progress reaches this fraction.
-struct Stop
-{
-  double at;
-  vtkNew<vtkCallbackCommand> observer;
-
-  explicit Stop(double fraction)
-    : at(fraction)
-  {
-    this->observer->SetClientData(this);
-    this->observer->SetCallback(
-      [](vtkObject* filter, unsigned long, void* stop, void* progress)
-      {
-        if (*static_cast<double*>(progress) >= static_cast<Stop*>(stop)->at)
-        {
-          vtkAlgorithm::SafeDownCast(filter)->SetAbortExecute(1);
-        }
-      });
-  }
-};
-
 } // namespace
 
 // Progress never falls, comes in many steps and ends at 1.
@@ -100,17 +79,7 @@ TEST(ContourExecution, leavesNothingWhenStopped)
     vtkNew<vtkPointSetContour> filter;
     filter->SetInputData(cloud);
     chooseTwentyValues(filter);
-    const Stop stop(fraction);
-    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop.observer);
-    const Outcome stopped = update(filter);
-    EXPECT_TRUE(stopped.succeeded);
-    EXPECT_THAT(stopped.errors, ::testing::IsEmpty());
-    EXPECT_THAT(stopped.warnings, ::testing::IsEmpty());
-    expectEmptyOutputs(filter);
-
-    filter->RemoveObserver(tag);
-    filter->SetAbortExecute(0);
-    filter->Modified();
+    expectNothingWhenStopped(filter, fraction);
     expectSilentSuccess(update(filter));
     EXPECT_THAT(curvesOf(filter), ::testing::SizeIs(40));
   }

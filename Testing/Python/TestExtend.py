@@ -165,18 +165,6 @@ output.GetPointData().SetScalars(values)
 output.GetInformation().Set(output.DATA_TIME_STEP(), time)
 """
 
-THREE_STEPS = """
-executive = self.GetExecutive()
-information = executive.GetOutputInformation(0)
-information.Remove(executive.TIME_STEPS())
-for step in (0.0, 1.0, 2.0):
-    information.Append(executive.TIME_STEPS(), step)
-information.Remove(executive.TIME_RANGE())
-information.Append(executive.TIME_RANGE(), 0.0)
-information.Append(executive.TIME_RANGE(), 2.0)
-"""
-
-
 def steps_of(proxy):
     proxy.UpdatePipelineInformation()
     return list(proxy.GetClientSideObject().GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()))
@@ -184,9 +172,7 @@ def steps_of(proxy):
 
 class TestExtendTime(unittest.TestCase):
     def test_each_step_is_what_a_new_filter_gives(self):
-        series = simple.ProgrammableSource(
-            OutputDataSetType="vtkPolyData", Script=SERIES, ScriptRequestInformation=THREE_STEPS
-        )
+        series = support.three_steps(SERIES)
         extend = simple.RBFExtend(Input=series, Target=targets())
         self.assertEqual(steps_of(extend), [0.0, 1.0, 2.0])
         for time in (0.0, 1.0, 2.0, 0.0):
@@ -200,9 +186,7 @@ class TestExtendTime(unittest.TestCase):
 
     def test_a_target_that_moves(self):
         """The time steps of the target reach downstream where the samples have none."""
-        series = simple.ProgrammableSource(
-            OutputDataSetType="vtkPolyData", Script=SERIES, ScriptRequestInformation=THREE_STEPS
-        )
+        series = support.three_steps(SERIES)
         extend = simple.RBFExtend(Input=samples(), Target=series)
         self.assertEqual(steps_of(extend), [0.0, 1.0, 2.0])
 

@@ -31,23 +31,9 @@ output.GetPointData().SetScalars(height)
 output.GetInformation().Set(output.DATA_TIME_STEP(), time)
 """
 
-THREE_STEPS = """
-executive = self.GetExecutive()
-information = executive.GetOutputInformation(0)
-information.Remove(executive.TIME_STEPS())
-for step in (0.0, 1.0, 2.0):
-    information.Append(executive.TIME_STEPS(), step)
-information.Remove(executive.TIME_RANGE())
-information.Append(executive.TIME_RANGE(), 0.0)
-information.Append(executive.TIME_RANGE(), 2.0)
-"""
-
-
 class TestTime(unittest.TestCase):
     def test_each_step_is_contoured_on_its_own(self):
-        series = simple.ProgrammableSource(
-            OutputDataSetType="vtkPolyData", Script=GROWING_SPHERE, ScriptRequestInformation=THREE_STEPS
-        )
+        series = support.three_steps(GROWING_SPHERE)
         contour = simple.PointSetContour(Input=series, ScalarArray=["POINTS", "height"], ContourValues=[0.5])
         for time in (0.0, 1.0, 2.0, 0.0):
             contour.UpdatePipeline(time)
@@ -59,9 +45,7 @@ class TestTime(unittest.TestCase):
             self.assertLess(numpy.abs(points[:, 2] - 0.5).max(), 0.01 * (1 + time))
 
     def test_the_steps_reach_downstream(self):
-        series = simple.ProgrammableSource(
-            OutputDataSetType="vtkPolyData", Script=GROWING_SPHERE, ScriptRequestInformation=THREE_STEPS
-        )
+        series = support.three_steps(GROWING_SPHERE)
         contour = simple.PointSetContour(Input=series)
         contour.UpdatePipelineInformation()
         information = contour.GetClientSideObject().GetOutputInformation(0)

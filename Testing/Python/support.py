@@ -63,6 +63,25 @@ def source(dataset):
     return producer
 
 
+THREE_STEPS = """
+executive = self.GetExecutive()
+information = executive.GetOutputInformation(0)
+information.Remove(executive.TIME_STEPS())
+for step in (0.0, 1.0, 2.0):
+    information.Append(executive.TIME_STEPS(), step)
+information.Remove(executive.TIME_RANGE())
+information.Append(executive.TIME_RANGE(), 0.0)
+information.Append(executive.TIME_RANGE(), 2.0)
+"""
+
+
+def three_steps(script):
+    """A programmable source of polydata that offers the time steps 0, 1 and 2."""
+    return simple.ProgrammableSource(
+        OutputDataSetType="vtkPolyData", Script=script, ScriptRequestInformation=THREE_STEPS
+    )
+
+
 def fetch(proxy, port=0):
     """The data of an output port, up to date."""
     proxy.UpdatePipeline()
