@@ -6,8 +6,8 @@
 #include "NeighborGraph.h"
 #include "RadialKernel.h"
 #include "SurfaceScalarsCoreExport.h"
+#include "VolumeFunction.h"
 
-#include <functional>
 #include <vector>
 
 namespace SurfaceScalars
@@ -26,9 +26,6 @@ enum class CurveFit
   Interpolate = 0, ///< curves through the points found
   LeastSquares = 1 ///< a smooth spline near them (sec. 4.2)
 };
-
-/// F at a place (in the caller's coordinates), and its gradient if asked for (not null).
-using VolumeFunction = std::function<double(const Vector3d& place, Vector3d* gradient)>;
 
 struct ContourParameters
 {
