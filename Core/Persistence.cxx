@@ -1,0 +1,83 @@
+#include "Persistence.h"
+
+#include "GraphMergeTrees.h"
+#include "Require.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+std::vector<PersistencePair> pairsOf(const MergeTree& tree, const ValuesRef& values)
+{
+  std::vector<PersistencePair> pairs;
+  pairs.reserve(tree.merges.size());
+  for (const Merge& merge : tree.merges)
+  {
+    pairs.push_back(
+      { merge.younger, merge.vertex, std::abs(values[merge.vertex] - values[merge.younger]) });
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+    [](const PersistencePair& a, const PersistencePair& b)
+    { return a.persistence > b.persistence; });
+  return pairs;
+}
+
+} // namespace
+
+GraphMergeTrees graphMergeTrees(
+  const NeighborGraph& graph, const ValuesRef& values, const Execution& execution)
+{
+  require(values.size() == graph.pointCount(), "one value per point",
+    std::to_string(values.size()) + " values for " + std::to_string(graph.pointCount()) + " points",
+    "Leave points without a value out.");
+  const double* value = values.data();
+  const auto neighborsOf = [&](Index point) { return graph.neighbors(point); };
+  const auto isBelow = [=](Index a, Index b)
+  { return value[a] < value[b] || (value[a] == value[b] && a < b); };
+  const auto isAbove = [=](Index a, Index b) { return isBelow(b, a); };
+
+  GraphMergeTrees trees;
+  parallelForEach(2, execution,
+    [&](std::size_t which, const Poll& poll)
+    {
+      if (which == 0)
+      {
+        trees.sublevel = MergeTreeBuilder(graph.pointCount(), neighborsOf, isBelow, poll).build();
+      }
+      else
+      {
+        trees.superlevel = MergeTreeBuilder(graph.pointCount(), neighborsOf, isAbove, poll).build();
+      }
+    });
+  return trees;
+}
+
+PersistencePairs persistencePairs(
+  const NeighborGraph& graph, const ValuesRef& values, const Execution& execution)
+{
+  const GraphMergeTrees trees = graphMergeTrees(graph, values, execution);
+  return { pairsOf(trees.sublevel, values), pairsOf(trees.superlevel, values) };
+}
+
+void removeBelow(
+  std::vector<CriticalPoint>& points, const std::vector<CriticalPair>& pairs, double threshold)
+{
+  for (const CriticalPair& pair : pairs)
+  {
+    if (pair.persistence < threshold)
+    {
+      --points[pair.saddle].multiplicity;
+    }
+  }
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [=](const CriticalPoint& point)
+                 { return point.persistence < threshold || point.multiplicity == 0; }),
+    points.end());
+}
+
+} // namespace SurfaceScalars
