@@ -2,6 +2,8 @@
 
 #include "Laplacian.h"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace SurfaceScalars
@@ -14,16 +16,21 @@ struct ValueConstraint
   double value;
 };
 
+/// What the caller calls a vertex, for messages; empty for the vertex itself.
+using VertexName = std::function<std::size_t(Index vertex)>;
+
 /**
  * The harmonic function with given values at some vertices: stiffness f = 0 at all others
  * (point-set paper, sec. 2.2). Between the smallest and the largest given value everywhere where
- * the weights are positive (maximum principle).
+ * the weights are positive (maximum principle), to 1e-9 of their difference.
  *
+ * @param constraints at least one in each connected component; several at a vertex must agree
  * @throws InvalidInput without constraints, for contradictory ones, for a component without any
  * (named); Error if the solver fails; Aborted
  */
 SURFACESCALARSCORE_EXPORT Values harmonicFunction(const Laplacian& laplacian,
-  const std::vector<ValueConstraint>& constraints, const Execution& execution = {});
+  const std::vector<ValueConstraint>& constraints, const Execution& execution = {},
+  const VertexName& nameOf = {});
 
 struct Eigenfunctions
 {

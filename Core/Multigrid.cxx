@@ -1,0 +1,354 @@
+#include "Multigrid.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr std::size_t ProductGrain = 32768;     // rows of a product with a vector
+constexpr std::size_t RowGrain = 2048;          // rows of a product of matrices
+constexpr Eigen::Index MostFactored = 10000;    // rows of the last level: some tenths of a second
+constexpr Eigen::Index MostFactoredByLU = 1000; // which takes many times as long
+constexpr double LeastCoupling = 0.4;           // of a strong one, relative to the row's strongest
+constexpr double Dominance = 0.2; // of the entries beside a diagonal that solves the row alone
+constexpr double RelaxationWeight = 1.6; // of Jacobi's method, over the largest eigenvalue
+constexpr double SmoothingWeight =
+  4.0 / 3.0; // the same where it smooths the next level's functions
+
+/// Rows that are made in blocks on several threads.
+RowMatrix stack(Eigen::Index rows, Eigen::Index columns, const Execution& execution,
+  const std::function<RowMatrix(Eigen::Index begin, Eigen::Index count)>& blockAt)
+{
+  const auto count = static_cast<std::size_t>(rows);
+  std::vector<RowMatrix> blocks((count + RowGrain - 1) / RowGrain);
+  parallelFor(count, RowGrain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      blocks[begin / RowGrain] =
+        blockAt(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin));
+    });
+  Eigen::Index entries = 0;
+  for (const RowMatrix& block : blocks)
+  {
+    entries += block.nonZeros();
+  }
+  RowMatrix result(rows, columns);
+  result.reserve(entries);
+  for (std::size_t b = 0, row = 0; b < blocks.size(); ++b)
+  {
+    RowMatrix block;
+    block.swap(blocks[b]); // to be freed
+    for (Eigen::Index i = 0; i < block.rows(); ++i, ++row)
+    {
+      result.startVec(static_cast<Eigen::Index>(row));
+      for (RowMatrix::InnerIterator entry(block, i); entry; ++entry)
+      {
+        result.insertBack(static_cast<Eigen::Index>(row), entry.col()) = entry.value();
+      }
+    }
+  }
+  result.finalize();
+  return result;
+}
+
+/// Which entries say that their row and column have nearly the same value.
+class Coupling
+{
+public:
+  explicit Coupling(const RowMatrix& matrix);
+
+  bool isStrong(Eigen::Index row, Eigen::Index column, double value) const
+  {
+    const double first = this->strongest_[row];
+    const double second = this->strongest_[column];
+    return row != column && std::abs(value) >= LeastCoupling * std::min(first, second) &&
+      std::isfinite(std::max(first, second));
+  }
+
+  /// Calls visit(neighbor, strength).
+  template <class Visit>
+  void forEachStrong(Eigen::Index row, const Visit& visit) const
+  {
+    for (RowMatrix::InnerIterator entry(this->matrix_, row); entry; ++entry)
+    {
+      if (this->isStrong(row, entry.col(), entry.value()))
+      {
+        visit(entry.col(), std::abs(entry.value()));
+      }
+    }
+  }
+
+private:
+  const RowMatrix& matrix_;
+  Values strongest_; ///< in each row; infinite in one that its diagonal dominates
+};
+
+Coupling::Coupling(const RowMatrix& matrix)
+  : matrix_(matrix)
+  , strongest_(Values::Zero(matrix.rows()))
+{
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+  {
+    double diagonal = 0.0;
+    double sum = 0.0;
+    for (RowMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+    {
+      const double size = std::abs(entry.value());
+      (entry.col() == row ? diagonal : sum) += size;
+      if (entry.col() != row)
+      {
+        this->strongest_[row] = std::max(this->strongest_[row], size);
+      }
+    }
+    if (sum <= Dominance * diagonal)
+    {
+      this->strongest_[row] = std::numeric_limits<double>::infinity();
+    }
+  }
+}
+
+/// A number for each row, counted from 0.
+struct Aggregates
+{
+  std::vector<int> ofRow;
+  int count = 0;
+};
+
+constexpr int None = -1;
+
+/// Each row without a neighbor in an aggregate starts one with all its neighbors.
+Aggregates startAggregates(const Coupling& coupling, Eigen::Index rows)
+{
+  Aggregates result{ std::vector<int>(static_cast<std::size_t>(rows), None) };
+  int* const ofRow = result.ofRow.data();
+  for (Eigen::Index row = 0; row < rows; ++row)
+  {
+    bool isFree = ofRow[row] == None;
+    bool isAlone = true;
+    coupling.forEachStrong(row,
+      [&](Eigen::Index neighbor, double)
+      {
+        isAlone = false;
+        isFree = isFree && ofRow[neighbor] == None;
+      });
+    if (isFree && !isAlone)
+    {
+      ofRow[row] = result.count;
+      coupling.forEachStrong(
+        row, [&](Eigen::Index neighbor, double) { ofRow[neighbor] = result.count; });
+      ++result.count;
+    }
+  }
+  return result;
+}
+
+/// The other rows join that of their strongest neighbor in one; those without neighbors join none.
+Aggregates aggregate(const Coupling& coupling, Eigen::Index rows)
+{
+  const Aggregates started = startAggregates(coupling, rows);
+  Aggregates result = started;
+  for (Eigen::Index row = 0; row < rows; ++row)
+  {
+    int& own = result.ofRow[static_cast<std::size_t>(row)];
+    if (own != None)
+    {
+      continue;
+    }
+    double strongest = 0.0;
+    coupling.forEachStrong(row,
+      [&](Eigen::Index neighbor, double strength)
+      {
+        const int other = started.ofRow[static_cast<std::size_t>(neighbor)];
+        if (other != None && strength > strongest)
+        {
+          strongest = strength;
+          own = other;
+        }
+      });
+  }
+  return result;
+}
+
+/// The constants on the aggregates.
+RowMatrix indicators(const Aggregates& aggregates)
+{
+  const auto rows = static_cast<Eigen::Index>(aggregates.ofRow.size());
+  RowMatrix result(rows, aggregates.count);
+  result.reserve(rows);
+  for (Eigen::Index row = 0; row < rows; ++row)
+  {
+    result.startVec(row);
+    const int aggregate = aggregates.ofRow[static_cast<std::size_t>(row)];
+    if (aggregate != None)
+    {
+      result.insertBack(row, aggregate) = 1.0;
+    }
+  }
+  result.finalize();
+  return result;
+}
+
+/// Some rows of identity - weight * diagonal^-1 * matrix, of which weak entries are added to the
+/// diagonal: then the functions of the next level overlap less.
+RowMatrix smoothingRows(const RowMatrix& matrix, const Coupling& coupling, const Values& diagonal,
+  double weight, Eigen::Index begin, Eigen::Index count)
+{
+  RowMatrix rows = matrix.middleRows(begin, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const Eigen::Index row = begin + i;
+    double kept = 0.0; // the sum of each row is as before
+    for (RowMatrix::InnerIterator entry(rows, i); entry; ++entry)
+    {
+      const bool isKept = coupling.isStrong(row, entry.col(), entry.value());
+      kept += entry.col() != row && !isKept ? entry.value() : 0.0;
+      entry.valueRef() *= isKept || entry.col() == row ? -weight / diagonal[row] : 0.0;
+    }
+    rows.coeffRef(i, row) += 1.0 - weight * kept / diagonal[row];
+  }
+  return rows;
+}
+
+/// At least the largest eigenvalue of diagonal^-1 * matrix, by Gershgorin's theorem.
+double largestEigenvalue(const RowMatrix& matrix, const Values& diagonal)
+{
+  double largest = 0.0;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+  {
+    double sum = 0.0;
+    for (RowMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+    {
+      sum += std::abs(entry.value());
+    }
+    largest = std::max(largest, sum / diagonal[row]);
+  }
+  return largest;
+}
+
+} // namespace
+
+Values multiply(const RowMatrix& matrix, const Values& vector, const Execution& execution)
+{
+  Values result(matrix.rows());
+  parallelFor(static_cast<std::size_t>(matrix.rows()), ProductGrain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto first = static_cast<Eigen::Index>(begin);
+      const auto count = static_cast<Eigen::Index>(end - begin);
+      result.segment(first, count).noalias() = matrix.middleRows(first, count) * vector;
+    });
+  return result;
+}
+
+Multigrid::Multigrid(RowMatrix&& matrix, bool isSymmetric, const Execution& execution)
+  : isSymmetric_(isSymmetric)
+{
+  this->levels_.emplace_back().matrix.swap(matrix);
+  double done = 0.0;
+  while (this->levels_.back().matrix.rows() > (isSymmetric ? MostFactored : MostFactoredByLU))
+  {
+    const double next = 0.2 * done + 0.8; // a level takes a fraction of the one before
+    const double half = 0.5 * (done + next);
+    Level& level = this->levels_.back();
+    linkToNext(level, execution.part(done, half));
+    RowMatrix coarse = matrixOfNext(level, execution.part(half, next));
+    this->levels_.emplace_back().matrix.swap(coarse);
+    done = next;
+  }
+  this->factorLast();
+  execution.report(1.0);
+}
+
+void Multigrid::linkToNext(Level& level, const Execution& execution)
+{
+  const RowMatrix& matrix = level.matrix;
+  const Coupling coupling(matrix);
+  const Aggregates aggregates = aggregate(coupling, matrix.rows());
+  const Values diagonal = matrix.diagonal();
+  const double eigenvalue = largestEigenvalue(matrix, diagonal);
+  level.relaxation = RelaxationWeight / eigenvalue * diagonal.cwiseInverse();
+  const RowMatrix constants = indicators(aggregates);
+  level.prolongation = stack(matrix.rows(), aggregates.count, execution,
+    [&](Eigen::Index begin, Eigen::Index count)
+    {
+      const RowMatrix rows =
+        smoothingRows(matrix, coupling, diagonal, SmoothingWeight / eigenvalue, begin, count) *
+        constants;
+      return RowMatrix(rows.pruned(1.0, 0.0));
+    });
+  level.restriction = level.prolongation.transpose();
+}
+
+/// The matrix of the next level: restriction * matrix * prolongation.
+RowMatrix Multigrid::matrixOfNext(const Level& level, const Execution& execution)
+{
+  const Eigen::Index size = level.restriction.rows();
+  return stack(size, size, execution,
+    [&](Eigen::Index begin, Eigen::Index count)
+    {
+      const RowMatrix rows = level.restriction.middleRows(begin, count) * level.matrix;
+      return RowMatrix(rows * level.prolongation);
+    });
+}
+
+void Multigrid::factorLast()
+{
+  const RowMatrix& matrix = this->levels_.back().matrix;
+  if (matrix.rows() == 0)
+  {
+    return; // diagonals dominate all rows of the level before
+  }
+  const auto factor = [&matrix](auto& factorization)
+  {
+    factorization.compute(matrix);
+    return factorization.info() == Eigen::Success;
+  };
+  if (!(this->isSymmetric_ ? factor(this->cholesky_) : factor(this->lu_)))
+  {
+    throw Error("the matrix of a linear system of " + std::to_string(this->matrix().rows()) +
+      " equations is singular.");
+  }
+}
+
+Values Multigrid::solveLast(const Values& residual) const
+{
+  if (residual.size() == 0)
+  {
+    return residual;
+  }
+  return this->isSymmetric_ ? Values(this->cholesky_.solve(residual))
+                            : Values(this->lu_.solve(residual));
+}
+
+Values Multigrid::apply(const Values& residual, const Execution& execution) const
+{
+  return this->cycle(0, residual, execution);
+}
+
+Values Multigrid::cycle(std::size_t level, const Values& residual, const Execution& execution) const
+{
+  if (level + 1 == this->levels_.size())
+  {
+    return this->solveLast(residual);
+  }
+  const Level& fine = this->levels_[level];
+  Values solution = fine.relaxation.cwiseProduct(residual);
+  const auto left = [&]() -> Values
+  { return residual - multiply(fine.matrix, solution, execution); };
+  const Values correction =
+    this->cycle(level + 1, multiply(fine.restriction, left(), execution), execution);
+  solution += multiply(fine.prolongation, correction, execution);
+  solution += fine.relaxation.cwiseProduct(left());
+  return solution;
+}
+
+} // namespace SurfaceScalars
