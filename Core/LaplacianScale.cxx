@@ -1,7 +1,6 @@
 #include "LaplacianScale.h"
 
 #include <functional>
-#include <limits>
 
 namespace SurfaceScalars
 {
@@ -9,9 +8,10 @@ namespace
 {
 
 constexpr std::size_t Grain = 4096; // rows per block of a parallel loop
-constexpr int Iterations = 7;
-constexpr double LeastRough = 0.1; // of the spectrum of A, which ends at
+constexpr int Iterations = 6;
+constexpr double LeastRough = 0.2; // of the spectrum of A, which ends at
 constexpr double Greatest = 2.0;
+constexpr double MostSteps = 1.5; // by which a point may be displaced to count
 
 /// Parts of the work: two filters and an energy.
 constexpr double Share = 1.0 / (2 * Iterations + 1);
@@ -105,17 +105,17 @@ private:
   Points sum_;
 };
 
-/// The mass over the energy of the relaxed coordinates, counted where relaxation displaced points
-/// by at most this many steps.
-double massPerEnergy(const Laplacian& laplacian, const NeighborGraph& graph,
-  const Points& displacements, double most, const Execution& execution)
+/// The factor that makes the energy of the relaxed coordinates twice the mass, as counted where
+/// they are displaced little; 0 if that is on less than half of the mass.
+double scaleOf(const Laplacian& laplacian, const NeighborGraph& graph, const Points& displacements,
+  const Execution& execution)
 {
   const Points relaxed = graph.points() - displacements;
   Eigen::Matrix2Xd parts = Eigen::Matrix2Xd::Zero(2, relaxed.cols()); // mass and energy
   forEachRow(relaxed.cols(), execution,
     [&](Eigen::Index i)
     {
-      if (displacements.col(i).norm() > most * graph.samplingStep(static_cast<Index>(i)))
+      if (displacements.col(i).norm() > MostSteps * graph.samplingStep(static_cast<Index>(i)))
       {
         return;
       }
@@ -127,7 +127,7 @@ double massPerEnergy(const Laplacian& laplacian, const NeighborGraph& graph,
       }
     });
   const Vector2d sums = parts.rowwise().sum();
-  return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
+  return sums[0] > laplacian.mass.sum() / 2 && sums[1] > 0.0 ? 2.0 * sums[0] / sums[1] : 0.0;
 }
 
 } // namespace
@@ -138,17 +138,15 @@ double stiffnessScale(
   RoughPart rough(laplacian.stiffness);
   const Execution first = execution.part(0.0, Iterations * Share);
   const Execution second = execution.part(Iterations * Share, 2 * Iterations * Share);
-  const Points displacements = rough.of(rough.of(graph.points(), first), second);
-  for (const double most : { 1.0, std::numeric_limits<double>::infinity() })
+  const Execution last = execution.part(2 * Iterations * Share, 1.0);
+  Points displacements = rough.of(rough.of(graph.points(), first), second);
+  double result = scaleOf(laplacian, graph, displacements, last.part(0.0, 0.5));
+  if (result == 0.0)
   {
-    const double found = massPerEnergy(
-      laplacian, graph, displacements, most, execution.part(2 * Iterations * Share, 1.0));
-    if (found > 0.0)
-    {
-      return 2.0 * found;
-    }
+    displacements.setZero(); // too few points to relax: all of it is rough
+    result = scaleOf(laplacian, graph, displacements, last.part(0.5, 1.0));
   }
-  return 1.0; // nothing is linked
+  return result > 0.0 ? result : 1.0; // 0: nothing is linked
 }
 
 } // namespace SurfaceScalars

@@ -1,0 +1,55 @@
+#include "SparseCholesky.h"
+
+#include "Background.h"
+#include "Error.h"
+#include "Require.h"
+
+#ifdef SURFACE_SCALARS_CHOLMOD
+#include <Eigen/CholmodSupport>
+#else
+#include <Eigen/SparseCholesky>
+#endif
+
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace SurfaceScalars
+{
+
+struct SparseCholesky::Factors
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+#ifdef SURFACE_SCALARS_CHOLMOD
+  Eigen::CholmodSupernodalLLT<Matrix> decomposition;
+#else
+  Eigen::SimplicialLLT<Matrix> decomposition;
+#endif
+
+  explicit Factors(const Matrix& matrix)
+    : decomposition(matrix)
+  {
+    if (this->decomposition.info() != Eigen::Success)
+    {
+      throw Error("expected a positive definite matrix, found one of " +
+        std::to_string(matrix.cols()) + " rows that cannot be factored. Choose other weights.");
+    }
+  }
+};
+
+SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> matrix, const Execution& execution)
+{
+  // The factors have up to some ten times as many entries, counted by integers of the same type.
+  constexpr Eigen::Index most = std::numeric_limits<int>::max() / 16;
+  require(matrix.nonZeros() <= most, "at most " + std::to_string(most) + " links between points",
+    std::to_string(matrix.nonZeros()), "Choose fewer neighbors or thin the points.");
+  this->factors_ = inBackground(execution,
+    [matrix = std::move(matrix)]() { return std::make_shared<const Factors>(matrix); });
+}
+
+Values SparseCholesky::solve(const ValuesRef& rightSide) const
+{
+  return this->factors_->decomposition.solve(rightSide);
+}
+
+} // namespace SurfaceScalars

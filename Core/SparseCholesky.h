@@ -1,0 +1,35 @@
+#pragma once
+
+#include "Basics.h"
+#include "Execution.h"
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+
+namespace SurfaceScalars
+{
+
+/**
+ * The factors of a symmetric positive definite sparse matrix, as of a Laplacian and a multiple of
+ * its mass: by CHOLMOD where the build has it, by Eigen otherwise.
+ *
+ * For the links of points to 16 neighbors, factoring takes time O(n^1.5) and memory O(n log n):
+ * about 1.4 kB per point for 100,000. A solution takes 40 ms then.
+ */
+class SparseCholesky
+{
+public:
+  /// @param matrix its lower triangle is read
+  /// @throws InvalidInput if the matrix is too large; Error if it is not positive definite; Aborted,
+  /// within a second
+  SparseCholesky(Eigen::SparseMatrix<double> matrix, const Execution& execution);
+
+  Values solve(const ValuesRef& rightSide) const;
+
+private:
+  struct Factors;
+  std::shared_ptr<const Factors> factors_;
+};
+
+} // namespace SurfaceScalars
