@@ -43,8 +43,8 @@ SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> matrix, const Executi
   constexpr Eigen::Index most = std::numeric_limits<int>::max() / 16;
   require(matrix.nonZeros() <= most, "at most " + std::to_string(most) + " links between points",
     std::to_string(matrix.nonZeros()), "Choose fewer neighbors or thin the points.");
-  this->factors_ = inBackground(execution,
-    [matrix = std::move(matrix)]() { return std::make_shared<const Factors>(matrix); });
+  this->factors_ = inBackground(
+    execution, [matrix = std::move(matrix)]() { return std::make_shared<const Factors>(matrix); });
 }
 
 Values SparseCholesky::solve(const ValuesRef& rightSide) const

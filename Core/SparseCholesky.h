@@ -21,8 +21,8 @@ class SparseCholesky
 {
 public:
   /// @param matrix its lower triangle is read
-  /// @throws InvalidInput if the matrix is too large; Error if it is not positive definite; Aborted,
-  /// within a second
+  /// @throws InvalidInput if the matrix is too large; Error if it is not positive definite;
+  /// Aborted, within a second
   SparseCholesky(Eigen::SparseMatrix<double> matrix, const Execution& execution);
 
   Values solve(const ValuesRef& rightSide) const;
