@@ -1,3 +1,4 @@
+#include "ComponentMeans.h"
 #include "Error.h"
 #include "LaplacianFunctions.h"
 #include "NumberText.h"
@@ -23,89 +24,57 @@ constexpr double Tolerance = 1e-10;    // of the inverse's eigenvalues, relative
 constexpr double MostResidual = 1e-5;  // of S f - lambda M f, relative
 constexpr double RelativeShift = 0.01; // in 1 / area, the order of the first eigenvalue
 
-/// The functions that are constant on components, of which all eigenvalues are 0. Known beforehand,
-/// they need not be searched for; that they are as many as components is no difficulty then.
+/// Functions beside the constants, which are known beforehand: they need not be searched for, and
+/// that there are as many as components is no difficulty then.
 ///
-/// Functions are scaled by the square roots of the mass, so that they are orthogonal as vectors.
-class Constants
+/// Functions f are scaled to R f with R^2 = M, so that they are orthogonal as vectors.
+class Complement
 {
 public:
-  Constants(const Laplacian& laplacian, const Values& roots)
-    : components_(connectedComponents(laplacian.stiffness))
-    , roots_(roots)
-    , masses_(Values::Zero(1 + *std::max_element(components_.begin(), components_.end())))
+  explicit Complement(const Laplacian& laplacian)
+    : roots_(laplacian.mass.cwiseSqrt())
+    , constants_(laplacian)
   {
-    for (std::size_t i = 0; i < this->components_.size(); ++i)
-    {
-      this->masses_[this->components_[i]] += laplacian.mass[static_cast<Eigen::Index>(i)];
-    }
   }
 
-  Eigen::Index count() const { return this->masses_.size(); }
+  const Values& roots() const { return this->roots_; }
+  const ComponentMeans& constants() const { return this->constants_; }
 
-  void removeFrom(Eigen::Ref<Values> function) const
+  Values project(const Values& scaled) const
   {
-    Values sums = Values::Zero(this->count());
-    for (Eigen::Index i = 0; i < function.size(); ++i)
-    {
-      sums[this->component(i)] += this->roots_[i] * function[i];
-    }
-    sums = sums.cwiseQuotient(this->masses_);
-    for (Eigen::Index i = 0; i < function.size(); ++i)
-    {
-      function[i] -= this->roots_[i] * sums[this->component(i)];
-    }
-  }
-
-  /// Not scaled: a function of norm 1 that is not 0 on one component only.
-  Values on(Eigen::Index component) const
-  {
-    Values result = Values::Zero(this->roots_.size());
-    for (Eigen::Index i = 0; i < result.size(); ++i)
-    {
-      result[i] = this->component(i) == component ? 1.0 / std::sqrt(this->masses_[component]) : 0.0;
-    }
-    return result;
+    const Values means = this->constants_.of(scaled.cwiseQuotient(this->roots_));
+    return scaled - this->roots_.cwiseProduct(means);
   }
 
 private:
-  int component(Eigen::Index vertex) const
-  {
-    return this->components_[static_cast<std::size_t>(vertex)];
-  }
-
-  std::vector<int> components_;
-  const Values& roots_;
-  Values masses_;
+  Values roots_;
+  ComponentMeans constants_;
 };
 
-/// What Spectra iterates: R (S + s M)^-1 R with R^2 = M, beside the constants.
+/// What Spectra iterates: R (S + s M)^-1 R.
 class ShiftedInverse
 {
 public:
   using Scalar = double;
 
-  ShiftedInverse(const Laplacian& laplacian, const Values& roots, const Constants& constants,
-    const Execution& execution)
-    : roots_(roots)
-    , constants_(constants)
+  ShiftedInverse(
+    const Laplacian& laplacian, const Complement& complement, const Execution& execution)
+    : complement_(complement)
     , execution_(execution.part(0.4, 1.0))
     , cholesky_(shifted(laplacian), execution.part(0.0, 0.4))
   {
   }
 
-  Eigen::Index rows() const { return this->roots_.size(); }
-  Eigen::Index cols() const { return this->roots_.size(); }
+  Eigen::Index rows() const { return this->complement_.roots().size(); }
+  Eigen::Index cols() const { return this->rows(); }
 
   // NOLINTNEXTLINE(readability-identifier-naming): Spectra's name
   void perform_op(const double* in, double* out) const
   {
-    Values function = Eigen::Map<const Values>(in, this->rows());
-    this->constants_.removeFrom(function);
-    function =
-      this->roots_.cwiseProduct(this->cholesky_.solve(this->roots_.cwiseProduct(function)));
-    this->constants_.removeFrom(function);
-    Eigen::Map<Values>(out, this->rows()) = function;
+    const Values& roots = this->complement_.roots();
+    const Values function = this->complement_.project(Eigen::Map<const Values>(in, this->rows()));
+    Eigen::Map<Values>(out, this->rows()) = this->complement_.project(
+      roots.cwiseProduct(this->cholesky_.solve(roots.cwiseProduct(function))));
     ++this->solutions_;
     this->execution_.report(this->solutions_ / (this->solutions_ + 40.0)); // some 60 are usual
   }
@@ -118,8 +87,7 @@ private:
     return result;
   }
 
-  const Values& roots_;
-  const Constants& constants_;
+  const Complement& complement_;
   Execution execution_;
   SparseCholesky cholesky_;
   mutable double solutions_ = 0.0;
@@ -142,18 +110,18 @@ Eigen::MatrixXd iterate(ShiftedInverse& inverse, Eigen::Index count, Eigen::Inde
 
 /// All at once, of a small matrix.
 Eigen::MatrixXd solveDense(
-  const Laplacian& laplacian, const Values& roots, const Constants& constants, Eigen::Index count)
+  const Laplacian& laplacian, const Complement& complement, Eigen::Index count)
 {
-  const Values inverse = roots.cwiseInverse();
-  Eigen::MatrixXd matrix =
+  const Values inverse = complement.roots().cwiseInverse();
+  const Eigen::MatrixXd matrix =
     inverse.asDiagonal() * Eigen::MatrixXd(laplacian.stiffness) * inverse.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  Eigen::MatrixXd vectors = solver.eigenvectors().middleCols(constants.count(), count);
+  Eigen::MatrixXd result = solver.eigenvectors().middleCols(complement.constants().count(), count);
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    constants.removeFrom(vectors.col(i));
+    result.col(i) = complement.project(result.col(i));
   }
-  return vectors;
+  return result;
 }
 
 /// The entry of greatest magnitude becomes positive.
@@ -186,16 +154,16 @@ void checkResiduals(const Laplacian& laplacian, const Eigenfunctions& result)
 }
 
 /// Those found, after the constants, by their Rayleigh quotients.
-Eigenfunctions collect(const Laplacian& laplacian, const Values& roots, const Constants& constants,
+Eigenfunctions collect(const Laplacian& laplacian, const Complement& complement,
   const Eigen::MatrixXd& found, Eigen::Index count)
 {
-  Eigenfunctions result = { Values::Zero(count), Eigen::MatrixXd(roots.size(), count) };
-  const Eigen::Index constant = std::min(count, constants.count());
+  Eigenfunctions result = { Values::Zero(count), Eigen::MatrixXd(laplacian.mass.size(), count) };
+  const Eigen::Index constant = count - found.cols();
   for (Eigen::Index i = 0; i < constant; ++i)
   {
-    result.functions.col(i) = constants.on(i);
+    result.functions.col(i) = complement.constants().unit(i);
   }
-  const Eigen::MatrixXd functions = roots.cwiseInverse().asDiagonal() * found;
+  const Eigen::MatrixXd functions = complement.roots().cwiseInverse().asDiagonal() * found;
   Values quotients(found.cols());
   for (Eigen::Index i = 0; i < found.cols(); ++i)
   {
@@ -228,20 +196,19 @@ Eigenfunctions laplacianEigenfunctions(
       ", fewer than there are points",
     std::to_string(count), "Choose an index in this range.");
 
-  const Values roots = laplacian.mass.cwiseSqrt();
-  const Constants constants(laplacian, roots);
+  const Complement complement(laplacian);
+  const Eigen::Index wanted = count - complement.constants().count();
   Eigen::MatrixXd found(vertices, 0);
-  const Eigen::Index wanted = count - constants.count();
   if (wanted > 0 && vertices <= MostDense)
   {
-    found = solveDense(laplacian, roots, constants, wanted);
+    found = solveDense(laplacian, complement, wanted);
   }
   else if (wanted > 0)
   {
-    ShiftedInverse inverse(laplacian, roots, constants, execution);
-    found = iterate(inverse, wanted, vertices - constants.count());
+    ShiftedInverse inverse(laplacian, complement, execution);
+    found = iterate(inverse, wanted, vertices - complement.constants().count());
   }
-  const Eigenfunctions result = collect(laplacian, roots, constants, found, count);
+  const Eigenfunctions result = collect(laplacian, complement, found, count);
   checkResiduals(laplacian, result);
   execution.report(1.0);
   return result;
