@@ -5,10 +5,10 @@
 #include "Require.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace SurfaceScalars
 {
@@ -20,88 +20,88 @@ const double LeastWeight = std::exp(-12.0);
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The links of a neighbor graph in both directions, and the diagonal, as the pattern of a matrix;
-/// built in place, as it is by far the largest object.
-class LinkPattern
+struct Link
 {
-public:
-  explicit LinkPattern(const NeighborGraph& graph)
-    : graph_(graph)
-    , oneWay_(graph.pointCount())
-  {
-  }
+  Index from;
+  Index to;
+};
 
-  Matrix build(const Execution& execution)
-  {
-    this->forEachOneWayLink(
-      execution.part(0.0, 0.4), [this](Index, Index to) { ++this->oneWay_[to]; });
-    Matrix result = this->rows();
-    this->fill(result, execution.part(0.4, 1.0));
-    return result;
-  }
-
-private:
-  /// Calls body(from, to) where `to` is a neighbor of `from` but not the reverse.
-  template <class Body>
-  void forEachOneWayLink(const Execution& execution, const Body& body) const
-  {
-    parallelFor(this->graph_.pointCount(), Grain, execution,
-      [&](std::size_t begin, std::size_t end)
+/// Where `to` is a neighbor of `from` but not the reverse; by blocks of `from`.
+std::vector<std::vector<Link>> oneWayLinks(const NeighborGraph& graph, const Execution& execution)
+{
+  std::vector<std::vector<Link>> result((graph.pointCount() + Grain - 1) / Grain);
+  parallelFor(graph.pointCount(), Grain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto from = static_cast<Index>(begin); from < end; ++from)
       {
-        for (auto from = static_cast<Index>(begin); from < end; ++from)
+        for (const Index to : graph.neighbors(from))
         {
-          for (const Index to : this->graph_.neighbors(from))
+          if (!graph.isEdge(to, from))
           {
-            if (!this->graph_.isEdge(to, from))
-            {
-              body(from, to);
-            }
+            result[begin / Grain].push_back({ from, to });
           }
         }
-      });
-  }
+      }
+    });
+  return result;
+}
 
-  Matrix rows() const
+/// A matrix with these numbers of entries, not yet set.
+Matrix emptyRows(const std::vector<int>& entriesOfRow)
+{
+  const auto count = static_cast<Eigen::Index>(entriesOfRow.size());
+  Matrix result(count, count);
+  std::size_t entries = 0;
+  for (std::size_t i = 0; i < entriesOfRow.size(); ++i)
   {
-    const Index count = this->graph_.pointCount();
-    Matrix result(count, count);
-    std::size_t entries = 0;
-    for (Index i = 0; i < count; ++i)
+    entries += static_cast<std::size_t>(entriesOfRow[i]);
+    require(entries <= std::numeric_limits<int>::max(), "at most 2^31 links between points",
+      std::to_string(count) + " points with too many neighbors",
+      "Choose fewer neighbors or thin the points.");
+    result.outerIndexPtr()[i + 1] = static_cast<int>(entries);
+  }
+  result.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  return result;
+}
+
+/// The links of a neighbor graph in both directions, and the diagonal, as the pattern of a matrix;
+/// built in place, as it is by far the largest object.
+Matrix linkPattern(const NeighborGraph& graph, const Execution& execution)
+{
+  const auto links = oneWayLinks(graph, execution.part(0.0, 0.5));
+  std::vector<int> entries(graph.pointCount());
+  for (Index i = 0; i < graph.pointCount(); ++i)
+  {
+    entries[i] = 1 + static_cast<int>(graph.neighbors(i).size());
+  }
+  const auto forEachLink = [&](const auto& body)
+  {
+    for (const std::vector<Link>& block : links)
     {
-      entries += 1 + this->graph_.neighbors(i).size() + static_cast<std::size_t>(this->oneWay_[i]);
-      require(entries <= std::numeric_limits<int>::max(), "at most 2^31 links between points",
-        std::to_string(count) + " points with too many neighbors",
-        "Choose fewer neighbors or thin the points.");
-      result.outerIndexPtr()[i + 1] = static_cast<int>(entries);
+      std::for_each(block.begin(), block.end(), body);
     }
-    result.resizeNonZeros(static_cast<Eigen::Index>(entries));
-    return result;
-  }
-
-  void fill(Matrix& matrix, const Execution& execution)
-  {
-    const int* starts = matrix.outerIndexPtr();
-    int* columns = matrix.innerIndexPtr();
-    this->forEachOneWayLink(execution.part(0.0, 0.6),
-      [&](Index from, Index to)
-      { columns[starts[to + 1] - this->oneWay_[to]--] = static_cast<int>(from); });
-    parallelFor(this->graph_.pointCount(), Grain, execution.part(0.6, 1.0),
-      [&](std::size_t begin, std::size_t end)
+  };
+  forEachLink([&](const Link& link) { ++entries[link.to]; });
+  Matrix result = emptyRows(entries);
+  const int* starts = result.outerIndexPtr();
+  int* columns = result.innerIndexPtr();
+  forEachLink([&](const Link& link)
+    { columns[starts[link.to] + --entries[link.to]] = static_cast<int>(link.from); });
+  parallelFor(graph.pointCount(), Grain, execution.part(0.5, 1.0),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto i = static_cast<Index>(begin); i < end; ++i)
       {
-        for (auto i = static_cast<Index>(begin); i < end; ++i)
-        {
-          int* const row = columns + starts[i];
-          const Neighbors neighbors = this->graph_.neighbors(i);
-          *row = static_cast<int>(i);
-          std::copy(neighbors.begin(), neighbors.end(), row + 1);
-          std::sort(row, columns + starts[i + 1]);
-        }
-      });
-  }
-
-  const NeighborGraph& graph_;
-  std::vector<std::atomic<int>> oneWay_; ///< links to a point that it does not have itself
-};
+        int* const row = columns + starts[i];
+        const Neighbors neighbors = graph.neighbors(i);
+        *row = static_cast<int>(i);
+        std::copy(neighbors.begin(), neighbors.end(), row + 1);
+        std::sort(row, columns + starts[i + 1]);
+      }
+    });
+  return result;
+}
 
 /// Sets each entry beside the diagonal to -weight(i, j, entry), the diagonal so that rows sum to 0.
 template <class Weight>
@@ -197,7 +197,7 @@ Laplacian pointSetLaplacian(const NeighborGraph& graph, LaplacianWeights weights
   const Points& points = graph.points();
 
   Laplacian result;
-  result.stiffness = LinkPattern(graph).build(execution.part(0.0, 0.4));
+  result.stiffness = linkPattern(graph, execution.part(0.0, 0.4));
   setWeights(result.stiffness, execution.part(0.4, 0.5),
     [&](int i, int j, double)
     {

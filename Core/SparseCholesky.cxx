@@ -27,8 +27,11 @@ struct SparseCholesky::Factors
 #endif
 
   explicit Factors(const Matrix& matrix)
-    : decomposition(matrix)
   {
+#ifdef SURFACE_SCALARS_CHOLMOD
+    this->decomposition.cholmod().print = 0; // nothing: errors are thrown
+#endif
+    this->decomposition.compute(matrix);
     if (this->decomposition.info() != Eigen::Success)
     {
       throw Error("expected a positive definite matrix, found one of " +
