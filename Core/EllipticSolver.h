@@ -10,12 +10,12 @@ namespace SurfaceScalars
  * Linear systems with one matrix: that of an elliptic operator, such as stiffness with some values
  * held fixed, or a mass + t stiffness.
  *
- * Small matrices are factored; for large ones the method of conjugate gradients, or if the matrix
- * is not symmetric the stabilized biconjugate gradients of van der Vorst (1992), is preconditioned
- * by Multigrid. That also tells how large the error still is.
+ * Symmetric matrices of up to 10,000 rows are factored. For larger ones the method of conjugate
+ * gradients, or if the matrix is not symmetric the stabilized biconjugate gradients of van der
+ * Vorst (1992), is preconditioned by Multigrid. That also tells how large the error still is.
  *
- * A million rows with 19 entries each: made in 1.5 s and solved in 3 s on one thread, 26 steps;
- * some 100 bytes per row beside the matrix.
+ * A million rows with 19 entries each: made in 1.5 s and solved in 4 s on one thread, 30 steps;
+ * some 200 bytes per row beside the matrix.
  */
 class SURFACESCALARSCORE_EXPORT EllipticSolver
 {

@@ -1,11 +1,11 @@
 #include "Multigrid.h"
 
+#include "Aggregation.h"
 #include "Error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,11 +18,8 @@ constexpr std::size_t ProductGrain = 32768;     // rows of a product with a vect
 constexpr std::size_t RowGrain = 2048;          // rows of a product of matrices
 constexpr Eigen::Index MostFactored = 10000;    // rows of the last level: some tenths of a second
 constexpr Eigen::Index MostFactoredByLU = 1000; // which takes many times as long
-constexpr double LeastCoupling = 0.4;           // of a strong one, relative to the row's strongest
-constexpr double Dominance = 0.2; // of the entries beside a diagonal that solves the row alone
-constexpr double RelaxationWeight = 1.6; // of Jacobi's method, over the largest eigenvalue
-constexpr double SmoothingWeight =
-  4.0 / 3.0; // the same where it smooths the next level's functions
+constexpr double RelaxationWeight = 1.6;        // of Jacobi's method, over the largest eigenvalue
+constexpr double SmoothingWeight = 4.0 / 3.0;   // the same for the next level's functions
 
 /// Rows that are made in blocks on several threads.
 RowMatrix stack(Eigen::Index rows, Eigen::Index columns, const Execution& execution,
@@ -60,124 +57,6 @@ RowMatrix stack(Eigen::Index rows, Eigen::Index columns, const Execution& execut
   return result;
 }
 
-/// Which entries say that their row and column have nearly the same value.
-class Coupling
-{
-public:
-  explicit Coupling(const RowMatrix& matrix);
-
-  bool isStrong(Eigen::Index row, Eigen::Index column, double value) const
-  {
-    const double first = this->strongest_[row];
-    const double second = this->strongest_[column];
-    return row != column && std::abs(value) >= LeastCoupling * std::min(first, second) &&
-      std::isfinite(std::max(first, second));
-  }
-
-  /// Calls visit(neighbor, strength).
-  template <class Visit>
-  void forEachStrong(Eigen::Index row, const Visit& visit) const
-  {
-    for (RowMatrix::InnerIterator entry(this->matrix_, row); entry; ++entry)
-    {
-      if (this->isStrong(row, entry.col(), entry.value()))
-      {
-        visit(entry.col(), std::abs(entry.value()));
-      }
-    }
-  }
-
-private:
-  const RowMatrix& matrix_;
-  Values strongest_; ///< in each row; infinite in one that its diagonal dominates
-};
-
-Coupling::Coupling(const RowMatrix& matrix)
-  : matrix_(matrix)
-  , strongest_(Values::Zero(matrix.rows()))
-{
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
-  {
-    double diagonal = 0.0;
-    double sum = 0.0;
-    for (RowMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-    {
-      const double size = std::abs(entry.value());
-      (entry.col() == row ? diagonal : sum) += size;
-      if (entry.col() != row)
-      {
-        this->strongest_[row] = std::max(this->strongest_[row], size);
-      }
-    }
-    if (sum <= Dominance * diagonal)
-    {
-      this->strongest_[row] = std::numeric_limits<double>::infinity();
-    }
-  }
-}
-
-/// A number for each row, counted from 0.
-struct Aggregates
-{
-  std::vector<int> ofRow;
-  int count = 0;
-};
-
-constexpr int None = -1;
-
-/// Each row without a neighbor in an aggregate starts one with all its neighbors.
-Aggregates startAggregates(const Coupling& coupling, Eigen::Index rows)
-{
-  Aggregates result{ std::vector<int>(static_cast<std::size_t>(rows), None) };
-  int* const ofRow = result.ofRow.data();
-  for (Eigen::Index row = 0; row < rows; ++row)
-  {
-    bool isFree = ofRow[row] == None;
-    bool isAlone = true;
-    coupling.forEachStrong(row,
-      [&](Eigen::Index neighbor, double)
-      {
-        isAlone = false;
-        isFree = isFree && ofRow[neighbor] == None;
-      });
-    if (isFree && !isAlone)
-    {
-      ofRow[row] = result.count;
-      coupling.forEachStrong(
-        row, [&](Eigen::Index neighbor, double) { ofRow[neighbor] = result.count; });
-      ++result.count;
-    }
-  }
-  return result;
-}
-
-/// The other rows join that of their strongest neighbor in one; those without neighbors join none.
-Aggregates aggregate(const Coupling& coupling, Eigen::Index rows)
-{
-  const Aggregates started = startAggregates(coupling, rows);
-  Aggregates result = started;
-  for (Eigen::Index row = 0; row < rows; ++row)
-  {
-    int& own = result.ofRow[static_cast<std::size_t>(row)];
-    if (own != None)
-    {
-      continue;
-    }
-    double strongest = 0.0;
-    coupling.forEachStrong(row,
-      [&](Eigen::Index neighbor, double strength)
-      {
-        const int other = started.ofRow[static_cast<std::size_t>(neighbor)];
-        if (other != None && strength > strongest)
-        {
-          strongest = strength;
-          own = other;
-        }
-      });
-  }
-  return result;
-}
-
 /// The constants on the aggregates.
 RowMatrix indicators(const Aggregates& aggregates)
 {
@@ -188,7 +67,7 @@ RowMatrix indicators(const Aggregates& aggregates)
   {
     result.startVec(row);
     const int aggregate = aggregates.ofRow[static_cast<std::size_t>(row)];
-    if (aggregate != None)
+    if (aggregate != Aggregates::None)
     {
       result.insertBack(row, aggregate) = 1.0;
     }
@@ -206,14 +85,14 @@ RowMatrix smoothingRows(const RowMatrix& matrix, const Coupling& coupling, const
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const Eigen::Index row = begin + i;
-    double kept = 0.0; // the sum of each row is as before
+    double weak = 0.0;
     for (RowMatrix::InnerIterator entry(rows, i); entry; ++entry)
     {
       const bool isKept = coupling.isStrong(row, entry.col(), entry.value());
-      kept += entry.col() != row && !isKept ? entry.value() : 0.0;
+      weak += entry.col() != row && !isKept ? entry.value() : 0.0;
       entry.valueRef() *= isKept || entry.col() == row ? -weight / diagonal[row] : 0.0;
     }
-    rows.coeffRef(i, row) += 1.0 - weight * kept / diagonal[row];
+    rows.coeffRef(i, row) += 1.0 - weight * weak / diagonal[row];
   }
   return rows;
 }

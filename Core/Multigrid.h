@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Aggregation.h"
 #include "Basics.h"
 #include "Execution.h"
 
@@ -11,9 +12,6 @@
 
 namespace SurfaceScalars
 {
-
-/// Rows lie together: the product with a vector is one of rows, on any number of threads.
-using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 /// matrix * vector @throws Aborted
 Values multiply(const RowMatrix& matrix, const Values& vector, const Execution& execution);
