@@ -7,6 +7,22 @@
 
 namespace SurfaceScalars
 {
+void reverse(TracedCurve& curve)
+{
+  std::reverse(curve.points.begin(), curve.points.end());
+  std::reverse(curve.tangents.begin(), curve.tangents.end());
+  std::reverse(curve.steps.begin(), curve.steps.end());
+  std::swap(curve.start, curve.end);
+  for (LevelSetPoint& point : curve.points)
+  {
+    point.normal = -point.normal;
+  }
+  for (Vector3d& tangent : curve.tangents)
+  {
+    tangent = -tangent;
+  }
+}
+
 namespace
 {
 
@@ -96,24 +112,6 @@ std::vector<Pair> fittingPairs(const std::vector<TracedCurve>& curves, const std
   std::sort(pairs.begin(), pairs.end(),
     [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
   return pairs;
-}
-
-/// The same curve the other way round: with the other side of the surface up, so that larger values
-/// stay to the left.
-void reverse(TracedCurve& curve)
-{
-  std::reverse(curve.points.begin(), curve.points.end());
-  std::reverse(curve.tangents.begin(), curve.tangents.end());
-  std::reverse(curve.steps.begin(), curve.steps.end());
-  std::swap(curve.start, curve.end);
-  for (LevelSetPoint& point : curve.points)
-  {
-    point.normal = -point.normal;
-  }
-  for (Vector3d& tangent : curve.tangents)
-  {
-    tangent = -tangent;
-  }
 }
 
 /// Whether a way from one tangent to another is neither backwards nor a kink.

@@ -130,8 +130,11 @@ std::vector<double> SmoothCurve::places(double spacing) const
       last = place;
     }
   }
+  // Between saddles it may be a loop, or half of one.
+  const bool mayClose =
+    closed || (this->curve_.start == CurveEnd::Saddle && this->curve_.end == CurveEnd::Saddle);
   const auto pieces =
-    static_cast<std::size_t>(std::max(closed ? 3.0 : 1.0, std::round(along.back() / spacing)));
+    static_cast<std::size_t>(std::max(mayClose ? 3.0 : 1.0, std::round(along.back() / spacing)));
   std::vector<double> places(closed ? pieces : pieces + 1);
   std::size_t k = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -189,12 +192,8 @@ LevelSetPoint CurveShaper::measure(
   return *point;
 }
 
-TracedCurve CurveShaper::operator()(const TracedCurve& curve) const
+TracedCurve CurveShaper::shapeSmooth(const TracedCurve& curve) const
 {
-  if (this->shape_.fit == CurveFit::Interpolate && !(this->shape_.spacing > 0.0))
-  {
-    return curve;
-  }
   const SmoothCurve smooth(curve, this->shape_.fit);
   TracedCurve shaped;
   shaped.closed = curve.closed;
@@ -203,16 +202,57 @@ TracedCurve CurveShaper::operator()(const TracedCurve& curve) const
   {
     this->poll_();
     const std::size_t nearest = smooth.nearest(places[i]);
-    // The ends stay what they are, if the curve goes through them: one may be a saddle.
-    const bool isEnd = i == 0 || (!curve.closed && i + 1 == places.size());
-    const bool kept = isEnd && this->shape_.fit == CurveFit::Interpolate;
-    shaped.points.push_back(kept
+    // The ends stay what they are if the curve goes through them, and at saddles.
+    const bool isFirst = i == 0;
+    const bool isLast = !curve.closed && i + 1 == places.size();
+    const bool kept = (isFirst || isLast) && this->shape_.fit == CurveFit::Interpolate;
+    const bool atSaddle = !curve.closed &&
+      ((isFirst && curve.start == CurveEnd::Saddle) || (isLast && curve.end == CurveEnd::Saddle));
+    shaped.points.push_back(kept || atSaddle
         ? curve.points[nearest]
         : this->measure(smooth(places[i]), curve.points[nearest], curve.steps[nearest]));
     shaped.tangents.push_back(curve.tangents[nearest]);
     shaped.steps.push_back(curve.steps[nearest]);
   }
   return shaped;
+}
+
+/// A loop with corners, from corner to corner.
+TracedCurve CurveShaper::shapeLoop(const TracedCurve& loop) const
+{
+  TracedCurve shaped;
+  shaped.closed = true;
+  const std::size_t count = loop.points.size();
+  for (std::size_t i = 0; i < loop.corners.size(); ++i)
+  {
+    const std::size_t begin = loop.corners[i];
+    const std::size_t end = i + 1 < loop.corners.size() ? loop.corners[i + 1] : count;
+    TracedCurve piece;
+    piece.start = piece.end = CurveEnd::Saddle;
+    for (std::size_t k = begin; k <= end; ++k)
+    {
+      piece.points.push_back(loop.points[k % count]);
+      piece.tangents.push_back(loop.tangents[k % count]);
+      piece.steps.push_back(loop.steps[k % count]);
+    }
+    piece.tangents.back() =
+      (piece.points.back().position - loop.points[end - 1].position).normalized();
+    piece = this->shapeSmooth(piece);
+    shaped.corners.push_back(shaped.points.size());
+    shaped.points.insert(shaped.points.end(), piece.points.begin(), piece.points.end() - 1);
+    shaped.tangents.insert(shaped.tangents.end(), piece.tangents.begin(), piece.tangents.end() - 1);
+    shaped.steps.insert(shaped.steps.end(), piece.steps.begin(), piece.steps.end() - 1);
+  }
+  return shaped;
+}
+
+TracedCurve CurveShaper::operator()(const TracedCurve& curve) const
+{
+  if (this->shape_.fit == CurveFit::Interpolate && !(this->shape_.spacing > 0.0))
+  {
+    return curve;
+  }
+  return curve.corners.empty() ? this->shapeSmooth(curve) : this->shapeLoop(curve);
 }
 
 } // namespace SurfaceScalars

@@ -16,7 +16,7 @@ struct CurveShape
 /**
  * Chooses the points of a traced curve anew: evenly spaced on the cubic Hermite spline through its
  * points and tangents, or on a cubic spline fitted to them by least squares (sec. 4.2). Normals and
- * residuals are those of the model at the new points.
+ * residuals are those of the model at the new points. Saddles stay where they are.
  */
 class CurveShaper
 {
@@ -27,6 +27,8 @@ public:
   TracedCurve operator()(const TracedCurve& curve) const;
 
 private:
+  TracedCurve shapeSmooth(const TracedCurve& curve) const;
+  TracedCurve shapeLoop(const TracedCurve& loop) const;
   LevelSetPoint measure(const Vector3d& place, const LevelSetPoint& nearby, double step) const;
 
   LevelSetModel& model_;

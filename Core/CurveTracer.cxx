@@ -3,10 +3,14 @@
 #include "CurveJoining.h"
 #include "LevelSetWalker.h"
 #include "Polyline.h"
+#include "SaddleFan.h"
+#include "SaddleLoops.h"
 #include "SeedCover.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -27,22 +31,36 @@ constexpr std::size_t StationsBefore =
   6; // an edge, where the sampling step is not yet under its influence
 constexpr double EndPrecision = 0.1;
 constexpr double ShortestCurve = 1.0;
+constexpr double SameSaddleDistance = 1.0;
+constexpr double FanInfluence = 2.0; // in radii of its circle
+constexpr int MostRounds = 8;        // in each of which further saddles are found
+
+/// The saddles of a level.
+struct LevelSaddles
+{
+  std::vector<SaddleFan> known;   ///< whose branches are curves' ends
+  std::vector<SaddleFan> found;   ///< while tracing
+  std::vector<Vector3d> rejected; ///< saddles of the model that are none of the level
+};
 
 /// Follows the curves through starts on a level set until they end.
 class Tracer
 {
 public:
-  Tracer(LevelSetWalker& walker, const TracingLimits& limits, std::size_t seeds, SeedCover& cover,
-    const Poll& poll)
+  Tracer(LevelSetWalker& walker, SaddleFinder& finder, const TracingLimits& limits,
+    std::size_t seeds, SeedCover& cover, LevelSaddles& saddles, const Poll& poll)
     : walker_(walker)
+    , finder_(finder)
     , limits_(limits)
     , mostStations_(200 + 20 * seeds)
     , cover_(cover)
+    , saddles_(saddles)
     , poll_(poll)
   {
   }
 
   TracedCurve trace(const Station& start);
+  SaddleArc traceArc(const BranchId& from);
 
 private:
   /// Why it ends, or none if it closed.
@@ -51,11 +69,17 @@ private:
   Ending extend(std::vector<Station>& path, bool mayClose);
   CurveEnd endAtEdge(std::vector<Station>& path);
   double stepBefore(const std::vector<Station>& path, std::size_t edge) const;
+  bool endsAtSaddle(std::vector<Station>& path);
+  std::optional<Vector3d> saddleAt(const Saddle& saddle, const Station& station);
+  bool entersFan(std::vector<Station>& path, const Station& next);
 
   LevelSetWalker& walker_;
+  SaddleFinder& finder_;
   TracingLimits limits_;
   std::size_t mostStations_;
   SeedCover& cover_; ///< the curves that are there already
+  LevelSaddles& saddles_;
+  std::optional<BranchId> entered_; ///< by the last curve that ended
   const Poll& poll_;
 };
 
@@ -137,6 +161,19 @@ TracedCurve joinWays(const std::vector<Station>& forward, const std::vector<Stat
   return curve;
 }
 
+/// The center of a saddle as a station of a curve that passes one of its branches.
+Station centerBeside(const SaddleFan& fan, const Station& branch)
+{
+  Station center = fan.center;
+  if (center.point.normal.dot(branch.point.normal) < 0.0)
+  {
+    center.point.normal = -center.point.normal;
+  }
+  center.direction = branch.direction;
+  center.step = branch.step;
+  return center;
+}
+
 TracedCurve loop(const std::vector<Station>& path)
 {
   TracedCurve curve = joinWays(path, { path.front() });
@@ -156,15 +193,18 @@ Tracer::Ending Tracer::extend(std::vector<Station>& path, bool mayClose)
   for (std::size_t i = 0; i < this->mostStations_; ++i)
   {
     this->poll_();
-    if (const std::optional<Station> saddle = this->walker_.saddleAhead(path.back()))
+    if (this->endsAtSaddle(path))
     {
-      path.push_back(*saddle);
       return CurveEnd::Saddle;
     }
     const std::optional<Station> next = this->walker_.advance(path.back(), step);
     if (!next)
     {
       break;
+    }
+    if (this->entersFan(path, *next))
+    {
+      return CurveEnd::Saddle;
     }
     const double chord = (next->point.position - path.back().point.position).norm();
     if (!next->supported && path.back().supported && chord > EndPrecision * next->step)
@@ -219,6 +259,123 @@ CurveEnd Tracer::endAtEdge(std::vector<Station>& path)
   return CurveEnd::Edge;
 }
 
+/// Whether the curve has come to a saddle of the level's value, which then ends it.
+bool Tracer::endsAtSaddle(std::vector<Station>& path)
+{
+  const Station station = path.back();
+  const std::optional<Saddle> saddle = this->walker_.saddleNear(station);
+  if (!saddle)
+  {
+    return false;
+  }
+  const Vector3d way = saddle->position - station.point.position;
+  if (way.dot(station.direction) < 0.5 * way.norm())
+  {
+    return false;
+  }
+  if (const std::optional<Vector3d> end = this->saddleAt(*saddle, station))
+  {
+    path.push_back(this->walker_.endAt(*end, station));
+    return true;
+  }
+  return false;
+}
+
+/// Whether a saddle of the model is one of these: a degenerate one has others around it.
+bool isAmong(const std::vector<SaddleFan>& fans, const Vector3d& saddle, double step)
+{
+  return std::any_of(fans.begin(), fans.end(),
+    [&](const SaddleFan& fan)
+    {
+      return (fan.center.point.position - saddle).norm() <=
+        std::max(SameSaddleDistance * step, FanInfluence * fan.radius);
+    });
+}
+
+/// The end of a curve at a saddle of the model: none if that is none of the level, or one to be
+/// entered along a branch.
+std::optional<Vector3d> Tracer::saddleAt(const Saddle& saddle, const Station& station)
+{
+  LevelSaddles& saddles = this->saddles_;
+  if (isAmong(saddles.known, saddle.position, station.step))
+  {
+    return {};
+  }
+  std::optional<SaddleFan> fan;
+  if (std::none_of(saddles.rejected.begin(), saddles.rejected.end(),
+        [&](const Vector3d& place)
+        { return (place - saddle.position).norm() <= SameSaddleDistance * station.step; }))
+  {
+    fan = this->finder_.find(saddle, station);
+  }
+  if (!fan)
+  {
+    saddles.rejected.push_back(saddle.position);
+    return std::abs(saddle.value - this->walker_.level()) <= CriticalFraction
+      ? std::optional<Vector3d>(saddle.position)
+      : std::nullopt;
+  }
+  const Vector3d center = fan->center.point.position;
+  if (isAmong(saddles.known, center, station.step))
+  {
+    return {};
+  }
+  if (!isAmong(saddles.found, center, station.step))
+  {
+    saddles.found.push_back(std::move(*fan));
+  }
+  return center;
+}
+
+/// Whether the way to the next station leads into a saddle along one of its branches, or past them
+/// among them; the saddle is then the end.
+bool Tracer::entersFan(std::vector<Station>& path, const Station& next)
+{
+  for (const SaddleFan& fan : this->saddles_.known)
+  {
+    const Vector3d offset = next.point.position - fan.center.point.position;
+    const bool isInside = offset.norm() < fan.radius && offset.dot(next.direction) < 0.0;
+    double nearest = isInside ? INFINITY : ClosingDistance * next.step;
+    std::optional<std::size_t> entered;
+    for (std::size_t i = 0; i < fan.branches.size(); ++i)
+    {
+      const Station& branch = fan.branches[i];
+      const double distance =
+        distanceToSegment(branch.point.position, path.back().point.position, next.point.position);
+      if (next.direction.dot(branch.direction) < -0.5 && distance < nearest)
+      {
+        nearest = distance;
+        entered = i;
+      }
+    }
+    if (entered)
+    {
+      Station branch = fan.branches[*entered];
+      branch.direction = -branch.direction;
+      branch.point.normal = -branch.point.normal;
+      path.push_back(branch);
+      path.push_back(centerBeside(fan, branch));
+      this->entered_ =
+        BranchId{ static_cast<std::size_t>(&fan - this->saddles_.known.data()), *entered };
+      return true;
+    }
+  }
+  return false;
+}
+
+SaddleArc Tracer::traceArc(const BranchId& from)
+{
+  const SaddleFan& fan = this->saddles_.known[from.fan];
+  const Station& branch = fan.branches[from.branch];
+  std::vector<Station> path{ centerBeside(fan, branch), branch };
+  this->entered_.reset();
+  const Ending end = this->extend(path, false);
+  SaddleArc arc{ end ? joinWays(path, { path.front() }) : loop(path), from, this->entered_ };
+  arc.curve.start = CurveEnd::Saddle;
+  arc.curve.end = end.value_or(CurveEnd::Lost);
+  return arc;
+}
+
 TracedCurve Tracer::trace(const Station& start)
 {
   std::vector<Station> forward{ start };
@@ -252,16 +409,56 @@ TracedCurve Tracer::trace(const Station& start)
   return curve;
 }
 
-} // namespace
-
-std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction& function,
-  double level, const std::vector<LevelSetPoint>& seeds, const TracingLimits& limits,
-  const Poll& poll)
+/// The curves through saddles. A branch along which tracing fails may yet be entered by an arc that
+/// comes from elsewhere.
+std::vector<TracedCurve> traceArcs(
+  Tracer& tracer, const std::vector<SaddleFan>& fans, SeedCover& cover)
 {
-  std::vector<TracedCurve> curves;
-  SeedCover cover(seeds);
-  LevelSetWalker walker(model, function, level, limits);
-  Tracer tracer(walker, limits, seeds.size(), cover, poll);
+  std::vector<SaddleArc> arcs;
+  std::vector<SaddleArc> lost;
+  std::vector<std::vector<bool>> isTaken;
+  for (const SaddleFan& fan : fans)
+  {
+    isTaken.emplace_back(fan.branches.size(), false);
+  }
+  const auto take = [&](SaddleArc&& arc)
+  {
+    cover.pass(arc.curve);
+    isTaken[arc.from.fan][arc.from.branch] = true;
+    if (arc.to && isTaken[arc.to->fan][arc.to->branch])
+    {
+      arc.to.reset(); // another curve ends there
+    }
+    if (arc.to)
+    {
+      isTaken[arc.to->fan][arc.to->branch] = true;
+    }
+    arcs.push_back(std::move(arc));
+  };
+  for (std::size_t fan = 0; fan < fans.size(); ++fan)
+  {
+    for (std::size_t branch = 0; branch < fans[fan].branches.size(); ++branch)
+    {
+      if (!isTaken[fan][branch])
+      {
+        SaddleArc arc = tracer.traceArc({ fan, branch });
+        arc.curve.end == CurveEnd::Lost ? lost.push_back(std::move(arc)) : take(std::move(arc));
+      }
+    }
+  }
+  for (SaddleArc& arc : lost)
+  {
+    if (!isTaken[arc.from.fan][arc.from.branch])
+    {
+      take(std::move(arc));
+    }
+  }
+  return joinArcs(fans, arcs);
+}
+
+void traceSeeds(Tracer& tracer, LevelSetWalker& walker, const std::vector<LevelSetPoint>& seeds,
+  SeedCover& cover, const Poll& poll, std::vector<TracedCurve>& curves)
+{
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
     poll();
@@ -282,6 +479,32 @@ std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction
       cover.pass(curve);
       curves.push_back(std::move(curve));
     }
+  }
+}
+
+} // namespace
+
+std::vector<TracedCurve> traceCurves(LevelSetModel& model, const SampledFunction& function,
+  double level, const std::vector<LevelSetPoint>& seeds, const TracingLimits& limits,
+  const Poll& poll)
+{
+  LevelSetWalker walker(model, function, level, limits);
+  SaddleFinder finder(model, walker, function, level, poll);
+  LevelSaddles saddles;
+  std::vector<TracedCurve> curves;
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    SeedCover cover(seeds);
+    Tracer tracer(walker, finder, limits, seeds.size(), cover, saddles, poll);
+    curves = traceArcs(tracer, saddles.known, cover);
+    traceSeeds(tracer, walker, seeds, cover, poll, curves);
+    if (saddles.found.empty())
+    {
+      break;
+    }
+    // Again, from the saddles.
+    std::move(saddles.found.begin(), saddles.found.end(), std::back_inserter(saddles.known));
+    saddles.found.clear();
   }
   return joinEnds(std::move(curves));
 }

@@ -21,7 +21,8 @@ struct TracedCurve
 {
   std::vector<LevelSetPoint> points;
   std::vector<Vector3d> tangents;
-  std::vector<double> steps; ///< widened sampling steps
+  std::vector<double> steps;        ///< widened sampling steps
+  std::vector<std::size_t> corners; ///< points that are saddles, ascending: only of loops
   bool closed = false;
   CurveEnd start = CurveEnd::Lost;
   CurveEnd end = CurveEnd::Lost;
@@ -40,7 +41,8 @@ struct TracingLimits
 /**
  * Traces the curves of one level set by prediction and correction: from each seed that no curve has
  * passed yet, along the tangent in both directions, until the curve closes, leaves the samples, or
- * ends at a saddle of the same value.
+ * ends at a saddle of the same value. Once the saddles of the level are known, their branches are
+ * traced first and joined into loops: see joinArcs().
  *
  * @param seeds points on the level set
  */

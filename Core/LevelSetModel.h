@@ -50,6 +50,9 @@ public:
   /// A saddle close to the center, if the model has one. Only the polynomial model looks for it.
   virtual std::optional<Saddle> nearbySaddle() const { return {}; }
 
+  /// How far the samples around the center deviate from F, root mean square.
+  virtual double deviation() const { return 0.0; }
+
   // At the center:
   double value = 0.0;        ///< F
   Vector3d valueGradient;    ///< of F, in space

@@ -26,8 +26,9 @@ constexpr double Extension = 0.8;   // from there to the end: the surface goes o
 constexpr double CarefulStep = 0.5; // where samples are far: a hole must not be stepped over
 constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbors
 constexpr double OutlierFraction = 0.02;
-constexpr double SaddleDistance = 2.5;    // more than a step: it must not be stepped over
-constexpr double CriticalFraction = 1e-6; // of f's range, between a level and a saddle's value
+constexpr double SaddleDistance = 2.5; // more than a step: it must not be stepped over
+constexpr double NearlyCriticalFraction =
+  1e-3; // of f's range, between a level and a saddle's value
 
 } // namespace
 
@@ -165,39 +166,49 @@ std::optional<Station> LevelSetWalker::advance(const Station& from, double& step
   return {};
 }
 
-std::optional<Station> LevelSetWalker::saddleAhead(const Station& station)
+std::optional<Saddle> LevelSetWalker::saddleNear(const Station& station)
 {
-  const auto within = [&](const Saddle& saddle, double reach)
-  { return (saddle.position - station.point.position).norm() <= reach * station.step; };
-
+  const auto isNear = [&](const std::optional<Saddle>& saddle)
+  {
+    return saddle &&
+      (saddle->position - station.point.position).norm() <= SaddleDistance * station.step &&
+      std::abs(saddle->value - this->level_) <= NearlyCriticalFraction;
+  };
   std::optional<Saddle> saddle = this->model_.nearbySaddle();
-  if (!saddle || !within(*saddle, SaddleDistance) ||
-    std::abs(saddle->value - this->level_) > 1e3 * CriticalFraction)
+  if (!isNear(saddle))
   {
     return {};
   }
   // The model's saddle moves as the model is centered at it.
   for (int i = 0; i < this->limits_.maximumIterations; ++i)
   {
-    const Vector3d last = saddle->position;
-    if (!this->model_.center(last) || !(saddle = this->model_.nearbySaddle()) ||
-      !within(*saddle, SaddleDistance))
+    if (!this->model_.center(saddle->position))
     {
       return {};
     }
-    if ((saddle->position - last).norm() <= this->limits_.tolerance)
+    const std::optional<Saddle> next = this->model_.nearbySaddle();
+    if (!isNear(next))
+    {
+      break;
+    }
+    const double moved = (next->position - saddle->position).norm();
+    saddle = next;
+    if (moved <= this->limits_.tolerance)
     {
       break;
     }
   }
-  const Vector3d way = saddle->position - station.point.position;
-  if (std::abs(saddle->value - this->level_) > CriticalFraction ||
-    way.dot(station.direction) < 0.5 * way.norm())
-  {
-    return {};
-  }
+  return saddle;
+}
+
+Station LevelSetWalker::endAt(const Vector3d& saddle, const Station& station)
+{
   Station end = station;
-  end.point.position = saddle->position;
+  end.point.position = saddle;
+  if (!this->model_.center(saddle))
+  {
+    return end;
+  }
   end.point.residual =
     std::abs(this->model_.distance); // F is critical: only g has a first-order distance
   end.point.converged = true;

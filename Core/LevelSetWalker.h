@@ -18,6 +18,9 @@ struct Station
   bool supported = true; ///< samples around it: it lies on the sampled surface
 };
 
+/// Of f's range: an iso-value closer to a saddle's value is critical.
+constexpr double CriticalFraction = 1e-6;
+
 /// Walks along a level set: from a seed onto it, from station to station, into a saddle.
 class LevelSetWalker
 {
@@ -36,9 +39,15 @@ public:
   /// its last samples.
   std::optional<Station> extension(const Station& end);
 
-  /// A saddle of the level's value in front of a station, closer than the longest step: the end of
-  /// the curve.
-  std::optional<Station> saddleAhead(const Station& station);
+  /// A saddle of the model close to a station, its value near the level's. The model is left
+  /// centered there, or next to it where Newton's method does not converge: the saddle is then
+  /// degenerate.
+  std::optional<Saddle> saddleNear(const Station& station);
+
+  /// The end at a saddle of a curve that comes from a station.
+  Station endAt(const Vector3d& saddle, const Station& station);
+
+  double level() const { return this->level_; }
 
   /// The sampling step of a place, not widened.
   double samplingStep(const Station& station) const

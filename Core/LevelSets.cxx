@@ -209,9 +209,15 @@ std::vector<LevelSetCurve> LevelSetTracing::traceLevel(std::size_t level, const 
     curve.level = level;
     curve.component = static_cast<int>(curves.size());
     curve.closed = traced.closed;
+    const Vector3d saddle = traced.points.front().position; // if it has corners
     curve.points = std::move(traced.points);
     curve.length = polylineLength(curve.points, curve.closed);
     orientOutwards(curve.points);
+    if (!traced.corners.empty() && curve.points.front().position != saddle)
+    {
+      // Reversed: it begins at its saddle again.
+      std::rotate(curve.points.begin(), curve.points.end() - 1, curve.points.end());
+    }
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -94,8 +94,12 @@ struct LevelSets
  * function over the tangent plane, which is some thousand times more accurate.
  *
  * A sample belongs to the lower side if f < alpha, to the upper if f >= alpha: plateaus at an
- * iso-value are on the upper side. An iso-value within 1e-6 of f's range from a saddle's value is
- * critical: its curves end at the saddle.
+ * iso-value are on the upper side. An iso-value within 1e-6 of f's range from a saddle's value, or
+ * closer than the samples tell, is critical: the 2 + 2 m branches of a saddle of multiplicity m (up
+ * to 4) meet at one point (sec. 5.2). A branch that returns to its saddle is a loop, which begins
+ * there; branches between different saddles are loops around larger values; what ends at the
+ * boundary is a curve from there to the saddle. Saddles are found by ParameterizedMLS and Linear,
+ * for f known at the points.
  *
  * @param values one per point of the graph, finite
  * @throws InvalidInput for unusable parameters or too few points; Aborted

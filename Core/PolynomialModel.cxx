@@ -28,6 +28,7 @@ public:
   bool center(const Vector3d& place) override;
   std::optional<Vector3d> solve(double level, const Vector3d& start) const override;
   std::optional<Saddle> nearbySaddle() const override;
+  double deviation() const override { return this->polynomials_.valueDeviation(); }
 
   const std::vector<Index>& samples() const override { return this->polynomials_.samples(); }
 

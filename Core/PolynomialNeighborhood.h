@@ -39,6 +39,8 @@ public:
   // After center() returned true:
   const LocalFit& fit() const { return this->fit_; }
   double radius() const { return this->radius_; } ///< where the weights become 0
+  /// Of f from its polynomial, root mean square.
+  double valueDeviation() const { return this->fit_.valueDeviation(this->weighted_); }
   /// Those within the radius, and a few more.
   const std::vector<Index>& samples() const { return this->near_.indices; }
 

@@ -60,6 +60,62 @@ std::vector<Attachment> attach(
   return attachments;
 }
 
+/// A point of a curve to be: a sample, or a saddle that the curve passes.
+struct Bead
+{
+  Attachment at;
+  LevelSetPoint point;
+  bool isSaddle;
+};
+
+/// The saddles of a curve.
+std::vector<Bead> saddlesOf(const std::vector<TracedCurve>& curves, std::size_t c)
+{
+  const TracedCurve& curve = curves[c];
+  std::vector<Bead> saddles;
+  double length = 0.0;
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+  {
+    length += i > 0 ? (curve.points[i].position - curve.points[i - 1].position).norm() : 0.0;
+    const bool isEnd = !curve.closed &&
+      ((i == 0 && curve.start == CurveEnd::Saddle) ||
+        (i + 1 == curve.points.size() && curve.end == CurveEnd::Saddle));
+    if (isEnd || std::binary_search(curve.corners.begin(), curve.corners.end(), i))
+    {
+      saddles.push_back({ { 0.0, c, i, length }, curve.points[i], true });
+    }
+  }
+  return saddles;
+}
+
+/// All beads, curve by curve and along each.
+std::vector<Bead> beadsOf(
+  const std::vector<TracedCurve>& curves, const std::vector<LevelSetPoint>& samples)
+{
+  const std::vector<Attachment> attachments = attach(curves, samples);
+  std::vector<Bead> beads;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    const std::vector<Bead> saddles = saddlesOf(curves, c);
+    beads.insert(beads.end(), saddles.begin(), saddles.end());
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (attachments[i].distance < std::numeric_limits<double>::infinity())
+    {
+      beads.push_back({ attachments[i], samples[i], false });
+    }
+  }
+  std::sort(beads.begin(), beads.end(),
+    [](const Bead& a, const Bead& b)
+    {
+      const Attachment& left = a.at;
+      const Attachment& right = b.at;
+      return left.curve != right.curve ? left.curve < right.curve : left.along < right.along;
+    });
+  return beads;
+}
+
 } // namespace
 
 std::vector<TracedCurve> threadSamples(
@@ -69,40 +125,27 @@ std::vector<TracedCurve> threadSamples(
   {
     return {};
   }
-  const std::vector<Attachment> attachments = attach(curves, samples);
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    if (attachments[i].distance < std::numeric_limits<double>::infinity())
-    {
-      order.push_back(i);
-    }
-  }
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b)
-    {
-      const Attachment& left = attachments[a];
-      const Attachment& right = attachments[b];
-      return left.curve != right.curve ? left.curve < right.curve : left.along < right.along;
-    });
-
   std::vector<TracedCurve> threaded(curves.size());
   std::vector<double> last(curves.size(), -std::numeric_limits<double>::infinity());
-  for (const std::size_t i : order)
+  for (const Bead& bead : beadsOf(curves, samples))
   {
-    const Attachment& at = attachments[i];
+    const Attachment& at = bead.at;
     const TracedCurve& curve = curves[at.curve];
-    if (at.along - last[at.curve] < SmallestSpacing * curve.steps[at.segment])
+    if (!bead.isSaddle && at.along - last[at.curve] < SmallestSpacing * curve.steps[at.segment])
     {
       continue;
     }
     last[at.curve] = at.along;
-    LevelSetPoint point = samples[i];
+    LevelSetPoint point = bead.point;
     if (point.normal.dot(curve.points[at.segment].normal) < 0.0)
     {
       point.normal = -point.normal;
     }
     TracedCurve& result = threaded[at.curve];
+    if (bead.isSaddle && curve.closed)
+    {
+      result.corners.push_back(result.points.size());
+    }
     result.points.push_back(point);
     result.tangents.push_back(curve.tangents[at.segment]);
     result.steps.push_back(curve.steps[at.segment]);
@@ -110,6 +153,8 @@ std::vector<TracedCurve> threadSamples(
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     threaded[c].closed = curves[c].closed;
+    threaded[c].start = curves[c].start;
+    threaded[c].end = curves[c].end;
     if (threaded[c].points.size() < (curves[c].closed ? 3 : 2))
     {
       threaded[c] = curves[c]; // too short to have samples of its own

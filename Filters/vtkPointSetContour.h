@@ -19,6 +19,12 @@
  *   the surface. (The paper links samples that are closer than two sampling steps, which joins and
  *   breaks curves at random where the sampling is random.)
  *
+ * - At an iso-value within 1e-6 of f's range from a saddle's value, or closer than the samples
+ * tell, the 2 + 2m branches of a saddle of multiplicity m meet at one point (sec. 5.2;
+ * ParameterizedMLS and Linear, no CutFunction). Those that return are closed curves that begin
+ * there, those between different saddles closed curves around larger values; those that end at the
+ * boundary are open.
+ *
  * A sampling step is 1 / sqrt(density), density = k / (pi sigma_k^2); exact duplicates count once.
  *
  * Port 0, Contours, has one polyline per curve; a closed one ends with the id it starts with.

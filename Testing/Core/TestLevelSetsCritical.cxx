@@ -1,12 +1,16 @@
+#include "CriticalPoints.h"
 #include "Error.h"
 #include "Functions.h"
 #include "Sampling.h"
 #include "Tracing.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace SurfaceScalars::Truth
 {
@@ -74,8 +78,8 @@ void expectFourArcs(const Traced& traced, double firstAngle)
   EXPECT_EQ(arcs, std::vector<int>(4, 1));
 }
 
-// At a saddle's value the level set is a cross, not a curve: four arcs end at the saddle and none
-// passes through it.
+// At a saddle's value the level set is a cross, not a curve: where the surface ends, four arcs end
+// at the saddle and none passes through it.
 TEST(LevelSetsCritical, arcsEndAtASaddle)
 {
   const Function hyperbolic = [](const Vector3d& p) { return p.x() * p.x() - p.y() * p.y(); };
@@ -84,6 +88,150 @@ TEST(LevelSetsCritical, arcsEndAtASaddle)
   {
     expectFourArcs(trace(points, valuesOf(hyperbolic, points), at({ 0.0 })), 0.0);
     expectFourArcs(trace(points, valuesOf(product, points), at({ 0.0 })), Pi / 4.0);
+  }
+}
+
+/// Re z^n, z = x + i y: n = m + 1 lines cross at the origin.
+Function powerSaddle(int order)
+{
+  return [=](const Vector3d& p)
+  { return std::pow(std::complex<double>(p.x(), p.y()), order).real(); };
+}
+
+// A saddle of multiplicity m has 2 + 2 m branches, which meet at exactly one position: on a plane
+// all of them end at the boundary.
+TEST(LevelSetsCritical, degenerateSaddlesHaveAllTheirBranches)
+{
+  for (const Points& points : planes())
+  {
+    for (const int order : { 3, 4, 5 })
+    {
+      const Traced traced = trace(points, valuesOf(powerSaddle(order), points), at({ 0.0 }));
+      const auto count = static_cast<std::size_t>(2 * order);
+      EXPECT_EQ(traced.levelSets.curves.size(), count);
+      std::vector<int> arcs(count, 0);
+      const Vector3d saddle = [&]()
+      {
+        const LevelSetCurve& curve = traced.levelSets.curves.front();
+        const Vector3d first = curve.points.front().position;
+        const Vector3d last = curve.points.back().position;
+        return first.norm() < last.norm() ? first : last;
+      }();
+      EXPECT_LT(saddle.norm(), 0.01 * traced.step());
+      for (const LevelSetCurve& curve : traced.levelSets.curves)
+      {
+        EXPECT_FALSE(curve.closed);
+        const bool begins = curve.points.front().position == saddle;
+        EXPECT_TRUE(begins || curve.points.back().position == saddle);
+        const Vector3d end = (begins ? curve.points.back() : curve.points.front()).position;
+        EXPECT_GT(end.norm(), 0.9);
+        ++arcs[static_cast<std::size_t>(sector(end, static_cast<int>(count), 0.0, 0.0))];
+      }
+      EXPECT_EQ(arcs, std::vector<int>(count, 1)) << "order " << order;
+    }
+  }
+}
+
+/// Larger values lie to the left of a curve, seen against its normals.
+void expectLargerValuesLeft(
+  const LevelSetCurve& curve, const Function& function, double level, double distance)
+{
+  const std::size_t count = curve.points.size();
+  int larger = 0;
+  int segments = 0;
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i, ++segments)
+  {
+    const LevelSetPoint& point = curve.points[i];
+    const Vector3d next = curve.points[(i + 1) % count].position;
+    const Vector3d left = point.normal.cross(next - point.position).normalized();
+    larger += function(0.5 * (point.position + next) + distance * left) > level ? 1 : 0;
+  }
+  EXPECT_GE(larger, 9 * segments / 10);
+}
+
+// The contour of a tilted torus at each of its saddles is a figure of eight: two loops that begin
+// at the saddle, exactly where it is, to the precision of the samples.
+TEST(LevelSetsCritical, figuresOfEightAreTwoLoops)
+{
+  const SpaceFunction height = tiltedHeight();
+  for (const int count : { 5000, 20000, 50000 })
+  {
+    for (unsigned seed = 1; seed <= 3; ++seed)
+    {
+      const Points points = randomTorus(count, Torus::Closed, seed);
+      for (const CriticalPoint& critical : criticalPoints(height))
+      {
+        if (critical.index > 0)
+        {
+          continue;
+        }
+        const Traced traced = trace(points, valuesOf(height, points), at({ critical.value }));
+        ASSERT_EQ(traced.levelSets.curves.size(), 2u) << count << " " << seed;
+        EXPECT_EQ(traced.levelSets.componentCounts, std::vector<int>{ 2 });
+        const Vector3d saddle = traced.levelSets.curves[0].points[0].position;
+        EXPECT_LT((saddle - torusPoint(critical.angles)).norm(), 0.05 * traced.step());
+        for (const LevelSetCurve& curve : traced.levelSets.curves)
+        {
+          EXPECT_TRUE(curve.closed);
+          EXPECT_EQ(curve.points[0].position, saddle);
+          EXPECT_GT(curve.length, 4.0);
+          expectLargerValuesLeft(curve, height.value, critical.value, traced.step());
+        }
+      }
+    }
+  }
+}
+
+// Re (x + i y)^n on the sphere has saddles of multiplicity n - 1 at both poles: its zero level set,
+// n great circles, is n loops through both poles, each around a lune of larger values.
+TEST(LevelSetsCritical, loopsPassThroughDegenerateSaddles)
+{
+  const Points points = randomSphere(20000, 1);
+  for (const int order : { 3, 4, 5 })
+  {
+    const Function function = powerSaddle(order);
+    for (const bool isChanged : { false, true })
+    {
+      ContourParameters parameters = at({ 0.0 });
+      parameters.sampleSpacing = isChanged ? 0.03 : 0.0;
+      parameters.scheme = isChanged ? Scheme::Linear : Scheme::ParameterizedMLS;
+      const Traced traced = trace(points, valuesOf(function, points), parameters);
+      ASSERT_EQ(traced.levelSets.curves.size(), static_cast<std::size_t>(order));
+      const Vector3d pole = traced.levelSets.curves[0].points[0].position;
+      EXPECT_LT((pole.cwiseAbs() - Vector3d::UnitZ()).norm(), 0.01 * traced.step());
+      for (const LevelSetCurve& curve : traced.levelSets.curves)
+      {
+        EXPECT_TRUE(curve.closed);
+        EXPECT_NEAR(curve.length, 2.0 * Pi, 0.05);
+        EXPECT_EQ(curve.points[0].position, pole);
+        EXPECT_EQ(
+          std::count_if(curve.points.begin(), curve.points.end(),
+            [](const LevelSetPoint& point) { return point.position.head<2>().norm() < 1e-3; }),
+          2)
+          << "both poles";
+        expectLargerValuesLeft(curve, function, 0.0, traced.step());
+      }
+    }
+  }
+}
+
+// cos 3u cos 2v has all its 24 saddles at one value: its level set there is 12 loops around the
+// maxima, each through four saddles.
+TEST(LevelSetsCritical, loopsGoRoundLargerValues)
+{
+  const Function waves = [](const Vector3d& p)
+  {
+    const Vector2d angles = torusAngles(p);
+    return std::cos(3.0 * angles.x()) * std::cos(2.0 * angles.y());
+  };
+  const Points points = randomTorus(20000, Torus::Closed, 1);
+  const Traced traced = trace(points, valuesOf(waves, points), at({ 0.0 }));
+  EXPECT_EQ(traced.levelSets.curves.size(), 12u);
+  for (const LevelSetCurve& curve : traced.levelSets.curves)
+  {
+    EXPECT_TRUE(curve.closed);
+    EXPECT_LT(std::abs(waves(curve.points[0].position)), 1e-3);
+    expectLargerValuesLeft(curve, waves, 0.0, traced.step());
   }
 }
 
@@ -108,8 +256,8 @@ TEST(LevelSetsCritical, toleranceIsAMillionthOfTheRange)
   }
 }
 
-// Degenerate critical points have no such theorem: whatever comes out is finite, and nothing hangs
-// or crashes.
+// At whatever critical points, with whatever degree: what comes out is finite, and nothing hangs or
+// crashes.
 TEST(LevelSetsCritical, degenerateCriticalPointsAreSurvived)
 {
   const std::vector<Function> functions{
