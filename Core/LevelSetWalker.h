@@ -47,8 +47,6 @@ public:
   /// The end at a saddle of a curve that comes from a station.
   Station endAt(const Vector3d& saddle, const Station& station);
 
-  double level() const { return this->level_; }
-
   /// The sampling step of a place, not widened.
   double samplingStep(const Station& station) const
   {

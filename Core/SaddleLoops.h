@@ -1,21 +1,13 @@
 #pragma once
 
 #include "CurveTracer.h"
-#include "SaddleFan.h"
+#include "LevelSaddles.h"
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace SurfaceScalars
 {
-
-/// A branch of one of several saddles.
-struct BranchId
-{
-  std::size_t fan;
-  std::size_t branch;
-};
 
 /// A curve from a saddle along one of its branches, to a saddle along one of its branches or to an
 /// end.
