@@ -14,19 +14,18 @@ constexpr double MostResolutions = 8.0;  // between a saddle's value and where t
 
 } // namespace
 
-MergeSweep::MergeSweep(
-  CriticalPairing& assignment, const MergeTree& tree, CriticalType extremumType)
-  : all_(assignment)
+MergeSweep::MergeSweep(CriticalPairing& pairing, const MergeTree& tree, CriticalType extremumType)
+  : all_(pairing)
   , tree_(tree)
   , sign_(extremumType == CriticalType::Minimum ? 1.0 : -1.0)
   , times_(tree)
   , sets_(static_cast<Index>(tree.basins.size()))
-  , isPassed_(assignment.points.size(), 0)
-  , waiting_(assignment.points.size())
+  , isPassed_(pairing.points.size(), 0)
+  , waiting_(pairing.points.size())
 {
-  for (std::size_t i = 0; i < assignment.points.size(); ++i)
+  for (std::size_t i = 0; i < pairing.points.size(); ++i)
   {
-    const CriticalType type = assignment.points[i].type;
+    const CriticalType type = pairing.points[i].type;
     if (type == extremumType)
     {
       this->placeExtremum(i);
@@ -237,7 +236,7 @@ void MergeSweep::pass(std::size_t saddle)
   }
   std::stable_partition(around.begin(), around.end(),
     [](const MergeComponent* component) { return component->extremum != NoPoint; });
-  const auto most = static_cast<std::size_t>(this->all_.freeCount[saddle] + 1);
+  const auto most = static_cast<std::size_t>(this->all_.freeCount[saddle]) + 1;
   around.resize(std::min(around.size(), most));
   std::sort(around.begin(), around.end(),
     [this](const MergeComponent* a, const MergeComponent* b) { return this->isOlder(*a, *b); });

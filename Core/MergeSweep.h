@@ -3,6 +3,7 @@
 #include "GraphMergeTrees.h"
 #include "Persistence.h"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <unordered_map>

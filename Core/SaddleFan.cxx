@@ -14,6 +14,7 @@ namespace
 
 constexpr int Degree = 5;
 constexpr int TermCount = (Degree + 1) * (Degree + 2) / 2;
+constexpr std::size_t MostBranches = 10; // of 2 n with n = Degree
 constexpr int SamplesPerTerm = 3;
 constexpr std::size_t CirclePoints = 64;
 constexpr double LargestError = 0.3;        // of the polynomial, to its values on a circle
@@ -160,7 +161,7 @@ SaddleFinder::Ring SaddleFinder::ringOf(double radius) const
 std::optional<SaddleFinder::Ring> SaddleFinder::clearRing(double radius) const
 {
   Ring ring = this->ringOf(radius);
-  const bool isClear = ring.angles.size() >= 4 && ring.angles.size() <= 2 * Degree &&
+  const bool isClear = ring.angles.size() >= 4 && ring.angles.size() <= MostBranches &&
     this->deviation_ <= LargestError * ring.amplitude;
   return radius < this->scale_ && isClear ? std::optional<Ring>(ring) : std::nullopt;
 }
@@ -244,7 +245,7 @@ std::optional<SaddleFan> SaddleFinder::find(const Saddle& candidate, const Stati
   {
     return {};
   }
-  const auto branchCount = static_cast<std::size_t>(2 * this->orderHere(nearby.step));
+  const auto branchCount = 2 * static_cast<std::size_t>(this->orderHere(nearby.step));
   // The curves are the model's: they begin where its error is small, too.
   const double error = this->model_.center(this->center_) ? this->model_.deviation() : INFINITY;
   for (const double radius : Radii)

@@ -53,7 +53,7 @@ private:
     double amplitude = 0.0;          ///< the least of the largest |F - level| of the sectors
   };
 
-  bool fitAt(const Vector3d& center);
+  bool fitAt(const Vector3d& place);
   double polynomial(const Vector2d& place) const;
   Vector2d stepToZero(int order) const;
   Ring ringOf(double radius) const;

@@ -107,7 +107,7 @@ TEST(LevelSetsCritical, degenerateSaddlesHaveAllTheirBranches)
     for (const int order : { 3, 4, 5 })
     {
       const Traced traced = trace(points, valuesOf(powerSaddle(order), points), at({ 0.0 }));
-      const auto count = static_cast<std::size_t>(2 * order);
+      const auto count = 2 * static_cast<std::size_t>(order);
       EXPECT_EQ(traced.levelSets.curves.size(), count);
       std::vector<int> arcs(count, 0);
       const Vector3d saddle = [&]()
