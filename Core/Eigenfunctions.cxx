@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
 
@@ -80,10 +81,10 @@ public:
   }
 
 private:
-  static Eigen::SparseMatrix<double> shifted(const Laplacian& laplacian)
+  static std::shared_ptr<const Eigen::SparseMatrix<double>> shifted(const Laplacian& laplacian)
   {
-    Eigen::SparseMatrix<double> result = laplacian.stiffness;
-    result.diagonal() += (RelativeShift / laplacian.mass.sum()) * laplacian.mass;
+    auto result = std::make_shared<Eigen::SparseMatrix<double>>(laplacian.stiffness);
+    result->diagonal() += (RelativeShift / laplacian.mass.sum()) * laplacian.mass;
     return result;
   }
 
@@ -208,7 +209,7 @@ Eigenfunctions laplacianEigenfunctions(
     ShiftedInverse inverse(laplacian, complement, execution);
     found = iterate(inverse, wanted, vertices - complement.constants().count());
   }
-  const Eigenfunctions result = collect(laplacian, complement, found, count);
+  Eigenfunctions result = collect(laplacian, complement, found, count);
   checkResiduals(laplacian, result);
   execution.report(1.0);
   return result;

@@ -47,7 +47,7 @@ struct Eigenfunctions
  * equal eigenvalues, and the functions within their span, mean nothing but are always the same.
  *
  * Sixteen functions of 100,000 points take as long as some 60 of their neighbor graphs with
- * CHOLMOD, 90 without. An abort is heard within a second up to a million points.
+ * CHOLMOD, 80 without. An abort is heard within a second up to a million points.
  *
  * @param count how many, 1 to n - 1
  * @throws InvalidInput for another count, weights that are not symmetric, too many links; Error if

@@ -49,7 +49,7 @@ struct Corners
       (2 * this->countedArea);
   }
 
-  std::array<int, 3> vertex;
+  std::array<int, 3> vertex{};
   std::array<Vector3d, 3> edge; ///< opposite to the corner
   double area;
   double leastLength;

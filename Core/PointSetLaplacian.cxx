@@ -196,8 +196,7 @@ Laplacian pointSetLaplacian(const NeighborGraph& graph, LaplacianWeights weights
   const Values widths = kernelWidths(graph, steps, weights, kernelWidth);
   const Points& points = graph.points();
 
-  Laplacian result;
-  result.stiffness = linkPattern(graph, execution.part(0.0, 0.4));
+  Laplacian result{ linkPattern(graph, execution.part(0.0, 0.4)), steps.cwiseAbs2() };
   setWeights(result.stiffness, execution.part(0.4, 0.5),
     [&](int i, int j, double)
     {
@@ -210,7 +209,6 @@ Laplacian pointSetLaplacian(const NeighborGraph& graph, LaplacianWeights weights
     setWeights(result.stiffness, execution.part(0.5, 0.6),
       [&](int i, int j, double weight) { return weight / (sums[i] * sums[j]); });
   }
-  result.mass = steps.cwiseAbs2();
   if (weights != LaplacianWeights::LocalScale)
   {
     result.mass = massOfRows(result.stiffness, result.mass);

@@ -12,7 +12,6 @@
 
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace SurfaceScalars
 {
@@ -40,14 +39,15 @@ struct SparseCholesky::Factors
   }
 };
 
-SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> matrix, const Execution& execution)
+SparseCholesky::SparseCholesky(
+  const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution)
 {
   // The factors have up to some ten times as many entries, counted by integers of the same type.
   constexpr Eigen::Index most = std::numeric_limits<int>::max() / 16;
-  require(matrix.nonZeros() <= most, "at most " + std::to_string(most) + " links between points",
-    std::to_string(matrix.nonZeros()), "Choose fewer neighbors or thin the points.");
-  this->factors_ = inBackground(
-    execution, [matrix = std::move(matrix)]() { return std::make_shared<const Factors>(matrix); });
+  require(matrix->nonZeros() <= most, "at most " + std::to_string(most) + " links between points",
+    std::to_string(matrix->nonZeros()), "Choose fewer neighbors or thin the points.");
+  this->factors_ =
+    inBackground(execution, [matrix]() { return std::make_shared<const Factors>(*matrix); });
 }
 
 Values SparseCholesky::solve(const ValuesRef& rightSide) const

@@ -23,7 +23,8 @@ public:
   /// @param matrix its lower triangle is read
   /// @throws InvalidInput if the matrix is too large; Error if it is not positive definite;
   /// Aborted, within a second
-  SparseCholesky(Eigen::SparseMatrix<double> matrix, const Execution& execution);
+  SparseCholesky(
+    const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution);
 
   Values solve(const ValuesRef& rightSide) const;
 
