@@ -8,9 +8,9 @@
 #include "NeighborhoodSize.h"
 #include "Orientation.h"
 #include "Polyline.h"
-#include "Quantile.h"
 #include "SampleThreading.h"
 #include "SchemeModels.h"
+#include "ValueScaling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,37 +22,17 @@ namespace SurfaceScalars
 namespace
 {
 
-/// Takes f's range to a length of 1 and its typical value to 0, about which numbers are most
-/// precise: one wild value, such as a code for "no data", must not cost the others their digits.
-/// Halves: the range of finite values need not be finite.
-struct Scaling
-{
-  double middle;
-  double halfRange;
-
-  explicit Scaling(const ValuesRef& values)
-    : middle(medianOfSome(static_cast<std::size_t>(values.size()),
-        [&](std::size_t i) { return values[static_cast<Eigen::Index>(i)]; }))
-    , halfRange(0.5 * values.maxCoeff() - 0.5 * values.minCoeff())
-  {
-  }
-  double operator()(double value) const
-  {
-    return (0.5 * value - 0.5 * this->middle) / this->halfRange;
-  }
-};
-
 constexpr std::size_t SamplesPerBlock = 256;
 
 class LevelSetTracing
 {
 public:
-  LevelSetTracing(const NeighborGraph& graph, const ValuesRef& values, const Scaling& scaling,
+  LevelSetTracing(const NeighborGraph& graph, const ValuesRef& values, const ValueScaling& scaling,
     const ContourParameters& parameters, const Execution& execution);
   LevelSets run(std::vector<double> levels);
 
 private:
-  void scaleVolumeFunction(const Scaling& scaling);
+  void scaleVolumeFunction(const ValueScaling& scaling);
   void chooseFitSize();
   std::vector<LevelCrossings> findSpacedCrossings() const;
   void sampleLevels(const std::vector<LevelCrossings>& crossings);
@@ -72,7 +52,7 @@ private:
 };
 
 LevelSetTracing::LevelSetTracing(const NeighborGraph& graph, const ValuesRef& values,
-  const Scaling& scaling, const ContourParameters& parameters, const Execution& execution)
+  const ValueScaling& scaling, const ContourParameters& parameters, const Execution& execution)
   : parameters_(parameters)
   , execution_(execution)
   , function_{ graph, values.unaryExpr(scaling), {}, {}, {} }
@@ -84,7 +64,7 @@ LevelSetTracing::LevelSetTracing(const NeighborGraph& graph, const ValuesRef& va
   }
 }
 
-void LevelSetTracing::scaleVolumeFunction(const Scaling& scaling)
+void LevelSetTracing::scaleVolumeFunction(const ValueScaling& scaling)
 {
   const Vector3d origin = this->function_.graph.origin();
   const VolumeFunction function = this->parameters_.volumeFunction;
@@ -279,7 +259,7 @@ LevelSets traceLevelSets(const NeighborGraph& graph, const ValuesRef& values,
   isoValues.erase(std::unique(isoValues.begin(), isoValues.end()), isoValues.end());
 
   LevelSets result;
-  const Scaling scaling(values);
+  const ValueScaling scaling(values);
   if (scaling.halfRange > 0.0)
   {
     std::vector<double> levels(isoValues.size());
