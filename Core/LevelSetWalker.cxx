@@ -1,6 +1,7 @@
 #include "LevelSetWalker.h"
 
 #include "Quantile.h"
+#include "SampleSupport.h"
 
 #include <Eigen/Geometry>
 
@@ -25,8 +26,7 @@ constexpr double Overhang = 0.3;        // beyond the outermost samples, in step
 constexpr double Extension = 0.8;   // from there to the end: the surface goes on about half a step
 constexpr double CarefulStep = 0.5; // where samples are far: a hole must not be stepped over
 constexpr double QuantileToMean = 1.08; // of the steps of random samples with 16 neighbors
-constexpr double OutlierFraction = 0.02;
-constexpr double SaddleDistance = 2.5; // more than a step: it must not be stepped over
+constexpr double SaddleDistance = 2.5;  // more than a step: it must not be stepped over
 constexpr double NearlyCriticalFraction =
   1e-3; // of f's range, between a level and a saddle's value
 
@@ -55,33 +55,14 @@ double LevelSetWalker::stepAround()
 
 /// Whether a station is among samples: not deep in a void and not beyond the last samples of the
 /// surface.
-void LevelSetWalker::measureSupport(Station& station)
+void LevelSetWalker::judgeSupport(Station& station)
 {
-  const std::vector<Index>& around = this->model_.samples();
-  const Points& points = this->function_.graph.points();
-  const auto offsetOf = [&](Index i) -> Vector3d { return points.col(i) - station.point.position; };
-  Vector3d mean = Vector3d::Zero();
-  double nearest = INFINITY;
-  for (const Index i : around)
-  {
-    const Vector3d offset = offsetOf(i);
-    mean += offset;
-    nearest = std::min(nearest, offset.squaredNorm());
-  }
-  station.nearest = std::sqrt(nearest);
-  // How far all samples, but for outliers, lie to the one side: the distance across to the edge of
-  // the surface.
-  const Vector3d& normal = station.point.normal;
-  const Vector3d inwards = (mean - normal * normal.dot(mean)).normalized();
-  this->scratch_.clear();
-  for (const Index i : around)
-  {
-    this->scratch_.push_back(inwards.dot(offsetOf(i)));
-  }
-  const double beyond = quantile(this->scratch_, OutlierFraction);
+  const SampleSupport support = measureSupport(this->function_.graph.points(),
+    this->model_.samples(), station.point.position, station.point.normal);
+  station.nearest = support.nearest;
   const double step = this->samplingStep(station);
   station.supported =
-    station.nearest <= this->limits_.voidRadius * step && beyond <= Overhang * step;
+    station.nearest <= this->limits_.voidRadius * step && support.beyond <= Overhang * step;
 }
 
 std::optional<Station> LevelSetWalker::tryStep(const Station& from, double step, double angle)
@@ -136,7 +117,7 @@ std::optional<Station> LevelSetWalker::advance(const Station& from, double& step
   {
     const double turn = std::acos(std::clamp(next.direction.dot(from.direction), -1.0, 1.0));
     step *= std::clamp(WantedTurn / std::max(turn, 1e-6), 0.5, 1.5);
-    this->measureSupport(next);
+    this->judgeSupport(next);
     return next;
   };
   const bool careful = from.nearest > 0.5 * this->limits_.voidRadius * this->samplingStep(from);
@@ -228,7 +209,7 @@ std::optional<Station> LevelSetWalker::start(const LevelSetPoint& seed)
     return {};
   }
   Station station{ *point, this->model_.tangent(), this->stepAround() };
-  this->measureSupport(station);
+  this->judgeSupport(station);
   return station.supported ? std::optional<Station>(station) : std::nullopt;
 }
 

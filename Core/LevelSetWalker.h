@@ -56,7 +56,7 @@ public:
 private:
   double stepAround();
   std::optional<Station> tryStep(const Station& from, double step, double angle = 0.0);
-  void measureSupport(Station& station);
+  void judgeSupport(Station& station);
 
   LevelSetModel& model_;
   const SampledFunction& function_;
