@@ -201,6 +201,7 @@ bool LocalFit::solve()
   constexpr int Products = termCount(2 * Degree); // of two terms
   double products[Products] = {};
   Eigen::Matrix<double, Terms, 2, Eigen::RowMajor> sides = decltype(sides)::Zero();
+  double squares = 0.0; // of the values, weighted
   const Eigen::Matrix3d toLocal = this->frame_.transpose() / this->scale_;
   for (Eigen::Index begin = 0; begin < this->collected_; begin += Lanes)
   {
@@ -224,6 +225,7 @@ bool LocalFit::solve()
       }
       terms[firstTerm(d) + d] = v * terms[firstTerm(d) - 1];
     }
+    squares += (terms[0] * values.square()).sum();
     for (int term = 0; term < Products; ++term)
     {
       products[term] += terms[term].sum();
@@ -245,7 +247,10 @@ bool LocalFit::solve()
   {
     return false;
   }
+  const Eigen::Matrix<double, Terms, 1> valueSide = sides.col(1);
   solveTriangles(factor.matrixLLT(), sides);
+  this->valueMisfit_ =
+    std::sqrt(std::max(0.0, squares - valueSide.dot(sides.col(1))) / products[0]);
   this->coefficients_.template topRows<Terms>() = sides;
   this->coefficients_.col(0) *= this->scale_;
   this->coefficients_(0, 1) += this->valueOrigin_;

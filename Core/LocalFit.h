@@ -53,6 +53,8 @@ public:
   bool compute(const Vector3d& center, const WeightedSamples& samples, double radius, int degree);
 
   const Vector3d& center() const { return this->center_; }
+  int degree() const { return this->degree_; }
+  double scale() const { return this->scale_; } ///< the radius given to compute()
   const Eigen::Matrix3d& frame() const
   {
     return this->frame_;
@@ -71,6 +73,13 @@ public:
   Vector3d normal(const Vector2d& uv) const; ///< of the surface, unit
   Vector3d gradient(
     const Vector2d& uv) const; ///< of f on the surface: tangential, f's unit per length
+  /// The same of any function, from its derivatives along u and v and the slope of the height
+  /// there.
+  Vector3d tangentialGradient(const Vector2d& derivatives, const Vector2d& slope) const;
+
+  /// Root mean square of the weighted residuals of f; rounding hides what is below 1e-8 of f's
+  /// changes among the samples.
+  double valueMisfit() const { return this->valueMisfit_; }
 
   /// Root mean square of the weighted residuals, corrected for the number of unknowns.
   double heightDeviation(const WeightedSamples& samples) const
@@ -101,6 +110,7 @@ private:
   double scale_ = 1.0;
   int degree_ = 0;
   Eigen::Matrix<double, MaximumTerms, 2> coefficients_; ///< of height and f in (u, v) / scale
+  double valueMisfit_ = 0.0;
 
   // The samples with a weight, side by side for vector instructions and filled up with others that
   // weigh nothing; kept to save allocations.

@@ -75,11 +75,15 @@ Vector3d LocalFit::normal(const Vector2d& uv) const
 
 Vector3d LocalFit::gradient(const Vector2d& uv) const
 {
+  return this->tangentialGradient(this->valueSlope(uv).gradient, this->heightSlope(uv).gradient);
+}
+
+Vector3d LocalFit::tangentialGradient(const Vector2d& derivatives, const Vector2d& slope) const
+{
   // Raise the index with the metric I + s s^T of the graph z(u, v), s its slope: (I + s s^T)^-1 = I
   // - s s^T / (1 + s^T s).
-  const Vector2d slope = this->heightSlope(uv).gradient;
-  const Vector2d covector = this->valueSlope(uv).gradient;
-  const Vector2d tangent = covector - slope * (slope.dot(covector) / (1.0 + slope.squaredNorm()));
+  const Vector2d tangent =
+    derivatives - slope * (slope.dot(derivatives) / (1.0 + slope.squaredNorm()));
   return this->frame_ * Vector3d(tangent.x(), tangent.y(), slope.dot(tangent));
 }
 

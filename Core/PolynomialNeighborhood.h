@@ -43,6 +43,7 @@ public:
   double valueDeviation() const { return this->fit_.valueDeviation(this->weighted_); }
   /// Those within the radius, and a few more.
   const std::vector<Index>& samples() const { return this->near_.indices; }
+  const WeightedSamples& weightedSamples() const { return this->weighted_; }
 
 private:
   bool fitAround(const Vector3d& place, int count, int degree);
