@@ -1,0 +1,38 @@
+#pragma once
+
+#include "CriticalSweep.h"
+
+#include <optional>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// A place where the gradient of f~ vanishes, as seen by the fit centered there.
+struct RefinedPoint
+{
+  Vector3d place;  ///< relative to the cloud of the scale
+  Vector3d normal; ///< of the surface
+  double value;
+  double variance;       ///< of the value
+  double reach;          ///< radius of the fit
+  double residual;       ///< norm of the tangential gradient
+  Vector2d curvature;    ///< eigenvalues of the Hessian, ascending
+  Vector2d error;        ///< their standard errors
+  Vector2d significance; ///< ratios of their sizes to their errors, ascending
+  double bend;           ///< how much the Hessian changes within a third of the radius
+  double uncertainty;    ///< of the place: standard error, length
+  bool isSettled = true; ///< the fit centered there is critical there
+  int votes = 1;         ///< candidates that lead there
+};
+
+/// @returns none where there are no samples to fit to
+std::optional<RefinedPoint> describePlace(CriticalModel& model, const Vector3d& place);
+
+/// Newton's method from the candidates, with fits centered anew where it leads, until the center
+/// is critical itself. One for all candidates that lead to the same place, in their order. Places
+/// at or beyond the edge of the sampled surface, or deep in a void, are left out.
+std::vector<RefinedPoint> refineCandidates(const std::vector<CriticalCandidate>& candidates,
+  const CriticalScale& scale, const Execution& execution);
+
+} // namespace SurfaceScalars
