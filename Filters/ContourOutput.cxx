@@ -22,14 +22,6 @@ constexpr const char* NormalsName = "Normals";
 constexpr const char* ResidualName = "Residual";
 constexpr const char* ConvergedName = "Converged";
 
-vtkSmartPointer<vtkIntArray> makeInts(const char* name, vtkIdType count)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(count);
-  return array;
-}
-
 /// Points of level sets with the arrays that both ports have.
 class LevelSetPoints
 {
@@ -125,9 +117,7 @@ void writeEvolution(const LevelSets& sets, vtkFieldData* data)
   }
   data->AddArray(isoValues);
   data->AddArray(components);
-  const auto neighbors = makeInts("NeighborCount", 1);
-  neighbors->SetValue(0, sets.neighborCount);
-  data->AddArray(neighbors);
+  data->AddArray(makeInt("NeighborCount", sets.neighborCount));
 }
 
 } // namespace

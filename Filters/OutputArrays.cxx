@@ -6,7 +6,9 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -63,6 +65,21 @@ vtkSmartPointer<vtkDoubleArray> makeDoubles(
   return array;
 }
 
+vtkSmartPointer<vtkIntArray> makeInts(const std::string& name, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfValues(tuples);
+  return array;
+}
+
+vtkSmartPointer<vtkIntArray> makeInt(const std::string& name, int number)
+{
+  auto array = makeInts(name, 1);
+  array->SetValue(0, number);
+  return array;
+}
+
 vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count)
 {
   auto vertices = vtkSmartPointer<vtkCellArray>::New();
@@ -70,7 +87,7 @@ vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count)
   return vertices;
 }
 
-std::string renameTaken(vtkDataSetAttributes* data, const std::string& name)
+std::string renameTaken(vtkFieldData* data, const std::string& name)
 {
   int index = -1;
   vtkAbstractArray* taken = data->GetAbstractArray(name.c_str(), index);
@@ -83,16 +100,28 @@ std::string renameTaken(vtkDataSetAttributes* data, const std::string& name)
   {
     free += "Input";
   }
-  const int attribute = data->IsArrayAnAttribute(index);
+  auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
+  const int attribute = attributes ? attributes->IsArrayAnAttribute(index) : -1;
   const vtkSmartPointer<vtkAbstractArray> copy = copyOf(taken);
   copy->SetName(free.c_str());
   data->RemoveArray(name.c_str());
   data->AddArray(copy);
   if (attribute >= 0)
   {
-    data->SetActiveAttribute(free.c_str(), attribute);
+    attributes->SetActiveAttribute(free.c_str(), attribute);
   }
   return free;
+}
+
+std::string makeRoom(const FilterRun& run, vtkFieldData* data, const std::string& name)
+{
+  const std::string renamed = renameTaken(data, name);
+  if (!renamed.empty())
+  {
+    run.warn("The output has an array '" + name + "' of its own; the input's '" + name +
+      "' is now '" + renamed + "'.");
+  }
+  return renamed;
 }
 
 std::string freeName(

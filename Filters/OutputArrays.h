@@ -7,8 +7,9 @@
 #include <string>
 
 class vtkCellArray;
-class vtkDataSetAttributes;
 class vtkDoubleArray;
+class vtkFieldData;
+class vtkIntArray;
 
 namespace SurfaceScalars
 {
@@ -18,6 +19,12 @@ class FilterRun;
 /// An array of doubles, allocated and not set.
 vtkSmartPointer<vtkDoubleArray> makeDoubles(
   const std::string& name, vtkIdType tuples, int components = 1);
+
+/// An array of ints, allocated and not set.
+vtkSmartPointer<vtkIntArray> makeInts(const std::string& name, vtkIdType tuples);
+
+/// Field data of one number.
+vtkSmartPointer<vtkIntArray> makeInt(const std::string& name, int number);
 
 /// One vertex for each of the first `count` points.
 vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count);
@@ -29,7 +36,10 @@ vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count);
  *
  * @returns the new name, empty if there was no such array
  */
-std::string renameTaken(vtkDataSetAttributes* data, const std::string& name);
+std::string renameTaken(vtkFieldData* data, const std::string& name);
+
+/// The same with a warning.
+std::string makeRoom(const FilterRun& run, vtkFieldData* data, const std::string& name);
 
 /// The name under which values called `name` are written: that, or `<name>Input` and a warning if
 /// it is among the arrays of the filter's own.

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace SurfaceScalars
@@ -132,7 +133,7 @@ private:
     Points& points = this->samples_.points;
     Values& values = this->samples_.values;
     const vtkIdType begin = this->kept_;
-    for (vtkIdType i = begin; i < begin + count; ++i)
+    for (vtkIdType i = begin; i < begin + count; ++i, ++this->read_)
     {
       if (ghosts && (ghosts->GetValue(i - begin) & elsewhere))
       {
@@ -145,11 +146,29 @@ private:
       }
       points.col(this->kept_) = points.col(i);
       values(this->kept_) = values(i);
+      this->noteId();
       ++this->kept_;
     }
   }
 
+  /// Of the point read last, which is to be kept.
+  void noteId()
+  {
+    std::vector<vtkIdType>& ids = this->samples_.ids;
+    if (this->kept_ == this->read_)
+    {
+      return; // nothing was left out so far
+    }
+    if (ids.empty())
+    {
+      ids.resize(static_cast<std::size_t>(this->kept_));
+      std::iota(ids.begin(), ids.end(), vtkIdType{ 0 });
+    }
+    ids.push_back(this->read_);
+  }
+
   Samples samples_;
+  vtkIdType read_ = 0;
   vtkIdType kept_ = 0;
   vtkIdType missing_ = 0;
 };

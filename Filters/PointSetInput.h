@@ -3,6 +3,9 @@
 #include "Basics.h"
 #include "FilterRun.h"
 
+#include "vtkType.h"
+
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +24,13 @@ struct Samples
   Points points;
   Values values;
   std::string valueName; ///< the array's name
+
+  /// Where each is among the points of all blocks; empty if none was left out.
+  std::vector<vtkIdType> ids;
+  vtkIdType idOf(std::size_t sample) const
+  {
+    return this->ids.empty() ? static_cast<vtkIdType>(sample) : this->ids[sample];
+  }
 };
 
 /// Makes a port accept what pointSetsOf() can read.

@@ -3,7 +3,9 @@
 #include "ContourOutput.h"
 #include "Error.h"
 #include "FilterRun.h"
+#include "ImplicitFunction.h"
 #include "LevelSets.h"
+#include "ListProperty.h"
 #include "NeighborGraph.h"
 #include "PointSetInput.h"
 #include "PropertyChoice.h"
@@ -44,23 +46,6 @@ std::vector<double> isoValues(vtkPointSetContour& filter)
   return values;
 }
 
-VolumeFunction volumeFunction(vtkImplicitFunction* function)
-{
-  if (!function)
-  {
-    return {};
-  }
-  return [function](const Vector3d& place, Vector3d* gradient)
-  {
-    Vector3d copy = place; // VTK wants a writable one
-    if (gradient)
-    {
-      function->FunctionGradient(copy.data(), gradient->data());
-    }
-    return function->FunctionValue(copy.data());
-  };
-}
-
 ContourParameters parametersOf(vtkPointSetContour& filter)
 {
   checkChoice("Scheme", filter.GetScheme(), { 0, 1, 2, 3, 4 },
@@ -75,7 +60,7 @@ ContourParameters parametersOf(vtkPointSetContour& filter)
   parameters.isoValues = isoValues(filter);
   parameters.scheme = static_cast<Scheme>(filter.GetScheme());
   parameters.surface = static_cast<SurfaceModel>(filter.GetSurfaceModel());
-  parameters.volumeFunction = volumeFunction(filter.GetCutFunction());
+  parameters.volumeFunction = volumeFunctionOf(filter.GetCutFunction());
   parameters.polynomialDegree = filter.GetPolynomialDegree();
   parameters.neighborCount = filter.GetNeighborCount();
   parameters.searchRadius = filter.GetSearchRadius();
@@ -115,12 +100,7 @@ vtkPointSetContour::~vtkPointSetContour() = default;
 
 void vtkPointSetContour::SetNumberOfContourValues(int number)
 {
-  const auto size = static_cast<std::size_t>(std::max(0, number));
-  if (this->ContourValues.size() != size)
-  {
-    this->ContourValues.resize(size, 0.0);
-    this->Modified();
-  }
+  setListSize(*this, this->ContourValues, number);
 }
 
 int vtkPointSetContour::GetNumberOfContourValues()
@@ -130,30 +110,12 @@ int vtkPointSetContour::GetNumberOfContourValues()
 
 void vtkPointSetContour::SetContourValues(int i, double value)
 {
-  if (i < 0)
-  {
-    vtkErrorMacro(<< "SetContourValues: needs an index of at least 0, found " << i << ".");
-    return;
-  }
-  const auto index = static_cast<std::size_t>(i);
-  if (index < this->ContourValues.size() && this->ContourValues[index] == value)
-  {
-    return;
-  }
-  this->ContourValues.resize(std::max(this->ContourValues.size(), index + 1), 0.0);
-  this->ContourValues[index] = value;
-  this->Modified();
+  setListEntry(*this, "ContourValues", this->ContourValues, i, value);
 }
 
 double vtkPointSetContour::GetContourValues(int i)
 {
-  if (i < 0 || i >= this->GetNumberOfContourValues())
-  {
-    vtkErrorMacro(<< "GetContourValues: needs an index from 0 to "
-                  << this->GetNumberOfContourValues() - 1 << ", found " << i << ".");
-    return 0.0;
-  }
-  return this->ContourValues[static_cast<std::size_t>(i)];
+  return listEntry(*this, "ContourValues", this->ContourValues, i);
 }
 
 void vtkPointSetContour::SetCutFunction(vtkImplicitFunction* function)
