@@ -1,122 +1,45 @@
 #include "vtkPointSetScalarFunction.h"
 
-#include "Basics.h"
-#include "Error.h"
 #include "FilterRun.h"
+#include "ListProperty.h"
 #include "OutputArrays.h"
+#include "PassThrough.h"
 #include "PointSetInput.h"
+#include "PositionFunctions.h"
+#include "PropertyChoice.h"
+#include "SurfaceFunctions.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
 
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <sstream>
+#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkPointSetScalarFunction);
 
+using namespace SurfaceScalars;
+
 namespace
 {
 
-using namespace SurfaceScalars;
+constexpr double ReadShare = 0.05; // of the whole
 
-constexpr std::size_t Grain = 1 << 14; // points per block of a parallel loop
-
-/// A function of position and its name.
-struct PositionFunction
+std::string nameOf(int function)
 {
-  std::string name;
-  std::function<double(const Vector3d& place)> value;
-};
-
-std::string textOf(const Vector3d& vector)
-{
-  std::ostringstream text;
-  text << "(" << vector.x() << ", " << vector.y() << ", " << vector.z() << ")";
-  return text.str();
-}
-
-Vector3d place(const std::string& property, const double* numbers)
-{
-  Vector3d position(numbers);
-  if (!position.allFinite())
-  {
-    throw InvalidInput("a finite " + property, textOf(position), "Correct it.");
-  }
-  return position;
-}
-
-Vector3d unitVector(const std::string& property, const double* numbers)
-{
-  const Vector3d vector(numbers);
-  Vector3d unit = vector.stableNormalized(); // tiny and huge ones too
-  if (!unit.allFinite() || std::abs(unit.squaredNorm() - 1.0) > 1e-6)
-  {
-    throw InvalidInput("a finite " + property + " other than the zero vector", textOf(vector),
-      "(0, 0, 1) is the z axis.");
-  }
-  return unit;
-}
-
-PositionFunction functionOf(vtkPointSetScalarFunction& filter)
-{
-  switch (filter.GetFunction())
-  {
-    case vtkPointSetScalarFunction::HEIGHT:
-      return { "Height",
-        [direction = unitVector("Direction", filter.GetDirection())](const Vector3d& p)
-        { return p.dot(direction); } };
-    case vtkPointSetScalarFunction::DISTANCE_TO_POINT:
-      return { "DistanceToPoint",
-        [center = place("Center", filter.GetCenter())](const Vector3d& p)
-        { return (p - center).norm(); } };
-    case vtkPointSetScalarFunction::DISTANCE_TO_PLANE:
-      return { "DistanceToPlane",
-        [origin = place("Origin", filter.GetOrigin()),
-          normal = unitVector("Normal", filter.GetNormal())](const Vector3d& p)
-        { return std::abs((p - origin).dot(normal)); } };
-    default:
-      throw InvalidInput("Function 0 (Height), 1 (DistanceToPoint) or 2 (DistanceToPlane)",
-        std::to_string(filter.GetFunction()), "Choose one of these.");
-  }
-}
-
-/// The block itself if it is polydata, else its points and point arrays with a vertex each.
-void passThrough(vtkPointSet* block, vtkPolyData* output)
-{
-  if (vtkPolyData::SafeDownCast(block))
-  {
-    output->ShallowCopy(block);
-    return;
-  }
-  output->SetPoints(block->GetPoints());
-  output->SetVerts(makeVertices(block->GetNumberOfPoints()));
-  output->GetPointData()->ShallowCopy(block->GetPointData());
-  output->GetFieldData()->ShallowCopy(block->GetFieldData());
-}
-
-void mergeBlocks(const std::vector<vtkPointSet*>& blocks, vtkPolyData* output)
-{
-  vtkNew<vtkAppendPolyData> append;
-  for (vtkPointSet* block : blocks)
-  {
-    vtkNew<vtkPolyData> part;
-    passThrough(block, part);
-    append->AddInputData(part);
-  }
-  append->Update();
-  output->ShallowCopy(append->GetOutput());
+  checkChoice("Function", function, { 0, 1, 2, 3, 4, 5, 6 },
+    "0 (Height), 1 (DistanceToPoint), 2 (DistanceToPlane), 3 (Geodesic), 4 (Harmonic), "
+    "5 (LaplacianEigenfunction) or 6 (Diffusion)");
+  constexpr const char* names[] = { "Height", "DistanceToPoint", "DistanceToPlane", "Geodesic",
+    "Harmonic", "LaplacianEigenfunction", "Diffusion" };
+  return names[function];
 }
 
 Points readPoints(vtkPoints* points, const Execution& execution)
@@ -126,28 +49,16 @@ Points readPoints(vtkPoints* points, const Execution& execution)
   return read;
 }
 
-/// The values at all points, NaN where the position is not finite.
-Values evaluate(const PositionFunction& function, const Points& points, const Execution& execution)
+void noteMissing(FilterRun& run, const Points& points)
 {
-  Values values(points.cols());
-  parallelFor(static_cast<std::size_t>(points.cols()), Grain, execution,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (auto i = static_cast<Eigen::Index>(begin); i < static_cast<Eigen::Index>(end); ++i)
-      {
-        const Vector3d p = points.col(i);
-        values(i) = p.allFinite() ? function.value(p) : std::numeric_limits<double>::quiet_NaN();
-      }
-    });
-  return values;
-}
-
-void noteMissing(FilterRun& run, const Values& values)
-{
-  const Eigen::Index missing = values.array().isNaN().count();
+  Eigen::Index missing = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  {
+    missing += points.col(i).allFinite() ? 0 : 1;
+  }
   if (missing > 0)
   {
-    run.note(std::to_string(missing) + " of " + std::to_string(values.size()) +
+    run.note(std::to_string(missing) + " of " + std::to_string(points.cols()) +
       " points have a NaN or infinite coordinate and get NaN.");
   }
 }
@@ -155,32 +66,116 @@ void noteMissing(FilterRun& run, const Values& values)
 void addResult(
   const FilterRun& run, const std::string& name, const Values& values, vtkPointData* data)
 {
-  const std::string renamed = renameTaken(data, name);
-  if (!renamed.empty())
-  {
-    run.warn("The result is called '" + name + "'; the input's array of this name is now '" +
-      renamed + "'.");
-  }
+  makeRoom(run, data, name);
   const auto result = makeDoubles(name, values.size());
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-  {
-    result->SetValue(i, values(i));
-  }
+  std::copy(values.begin(), values.end(), result->GetPointer(0));
   data->SetScalars(result);
+}
+
+void addEigenvalue(const FilterRun& run, double eigenvalue, vtkFieldData* data)
+{
+  makeRoom(run, data, "Eigenvalue");
+  const auto number = makeDoubles("Eigenvalue", 1);
+  number->SetValue(0, eigenvalue);
+  data->AddArray(number);
 }
 
 } // namespace
 
-vtkPointSetScalarFunction::vtkPointSetScalarFunction() = default;
+vtkPointSetScalarFunction::vtkPointSetScalarFunction()
+{
+  this->SetNumberOfInputPorts(2);
+}
 
 vtkPointSetScalarFunction::~vtkPointSetScalarFunction()
 {
   this->SetResultArrayName(nullptr);
 }
 
-int vtkPointSetScalarFunction::FillInputPortInformation(int, vtkInformation* information)
+void vtkPointSetScalarFunction::SetNumberOfSourceIds(int number)
 {
-  acceptPointSets(information);
+  setListSize(*this, this->SourceIds, number);
+}
+
+int vtkPointSetScalarFunction::GetNumberOfSourceIds()
+{
+  return static_cast<int>(this->SourceIds.size());
+}
+
+void vtkPointSetScalarFunction::SetSourceIds(int i, vtkIdType id)
+{
+  setListEntry(*this, "SourceIds", this->SourceIds, i, id);
+}
+
+vtkIdType vtkPointSetScalarFunction::GetSourceIds(int i)
+{
+  return listEntry(*this, "SourceIds", this->SourceIds, i);
+}
+
+void vtkPointSetScalarFunction::SetNumberOfConstraintIds(int number)
+{
+  setListSize(*this, this->ConstraintIds, number);
+}
+
+int vtkPointSetScalarFunction::GetNumberOfConstraintIds()
+{
+  return static_cast<int>(this->ConstraintIds.size());
+}
+
+void vtkPointSetScalarFunction::SetConstraintIds(int i, vtkIdType id)
+{
+  setListEntry(*this, "ConstraintIds", this->ConstraintIds, i, id);
+}
+
+vtkIdType vtkPointSetScalarFunction::GetConstraintIds(int i)
+{
+  return listEntry(*this, "ConstraintIds", this->ConstraintIds, i);
+}
+
+void vtkPointSetScalarFunction::SetNumberOfConstraintValues(int number)
+{
+  setListSize(*this, this->ConstraintValues, number);
+}
+
+int vtkPointSetScalarFunction::GetNumberOfConstraintValues()
+{
+  return static_cast<int>(this->ConstraintValues.size());
+}
+
+void vtkPointSetScalarFunction::SetConstraintValues(int i, double value)
+{
+  setListEntry(*this, "ConstraintValues", this->ConstraintValues, i, value);
+}
+
+double vtkPointSetScalarFunction::GetConstraintValues(int i)
+{
+  return listEntry(*this, "ConstraintValues", this->ConstraintValues, i);
+}
+
+void vtkPointSetScalarFunction::SetSelectionConnection(vtkAlgorithmOutput* connection)
+{
+  this->SetInputConnection(1, connection);
+}
+
+void vtkPointSetScalarFunction::SetSelectionData(vtkDataObject* selection)
+{
+  this->SetInputDataInternal(1, selection);
+}
+
+void vtkPointSetScalarFunction::RemoveSelection()
+{
+  this->SetSelectionConnection(nullptr);
+}
+
+int vtkPointSetScalarFunction::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 0)
+  {
+    acceptPointSets(information);
+    return 1;
+  }
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -190,36 +185,67 @@ int vtkPointSetScalarFunction::RequestData(
   return runFilter(*this, "Point Set Scalar Function", outputs,
     [&](FilterRun& run)
     {
-      const PositionFunction function = functionOf(*this);
-      const std::vector<vtkPointSet*> blocks = pointSetsOf(vtkDataObject::GetData(inputs[0]));
+      const std::string name = nameOf(this->Function);
+      vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
       vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (blocks.size() == 1)
+      passThrough(pointSetsOf(input), output);
+      const Points points = readPoints(output->GetPoints(), run.execution().part(0.0, ReadShare));
+      noteMissing(run, points);
+
+      SurfaceFunction function;
+      const Execution execution = run.execution().part(ReadShare, 1.0);
+      if (this->Function < GEODESIC)
       {
-        passThrough(blocks.front(), output);
+        function.values = positionFunction(*this, points, execution);
       }
       else
       {
-        mergeBlocks(blocks, output);
+        const PointChoice choice{ *this, input, vtkSelection::GetData(inputs[1]), points };
+        function = surfaceFunction(choice, output, run, execution);
       }
 
-      const Points points = readPoints(output->GetPoints(), run.execution().part(0.0, 0.5));
-      const Values values = evaluate(function, points, run.execution().part(0.5, 1.0));
-      noteMissing(run, values);
       const bool named = this->ResultArrayName && *this->ResultArrayName;
-      addResult(run, named ? this->ResultArrayName : function.name, values, output->GetPointData());
+      addResult(run, named ? this->ResultArrayName : name, function.values, output->GetPointData());
+      if (this->Function == LAPLACIAN_EIGENFUNCTION)
+      {
+        addEigenvalue(run, function.eigenvalue, output->GetFieldData());
+      }
     });
 }
 
 void vtkPointSetScalarFunction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&](const char* name, const double* vector)
-  { os << indent << name << ": " << textOf(Vector3d(vector)) << "\n"; };
+  const auto printVector = [&](const char* name, const double* vector) {
+    os << indent << name << ": (" << vector[0] << ", " << vector[1] << ", " << vector[2] << ")\n";
+  };
+  const auto printList = [&](const char* name, const auto& list)
+  {
+    os << indent << name << ":";
+    for (const auto& entry : list)
+    {
+      os << " " << entry;
+    }
+    os << "\n";
+  };
   os << indent << "Function: " << this->Function << "\n";
-  print("Direction", this->Direction);
-  print("Center", this->Center);
-  print("Origin", this->Origin);
-  print("Normal", this->Normal);
+  printVector("Direction", this->Direction);
+  printVector("Center", this->Center);
+  printVector("Origin", this->Origin);
+  printVector("Normal", this->Normal);
+  os << indent << "SourceType: " << this->SourceType << "\n";
+  printList("SourceIds", this->SourceIds);
+  printVector("SourcePoint", this->SourcePoint);
+  printList("ConstraintIds", this->ConstraintIds);
+  printList("ConstraintValues", this->ConstraintValues);
+  printVector("ConstraintPoint1", this->ConstraintPoint1);
+  printVector("ConstraintPoint2", this->ConstraintPoint2);
+  os << indent << "EigenIndex: " << this->EigenIndex << "\n";
+  os << indent << "DiffusionTime: " << this->DiffusionTime << "\n";
+  os << indent << "Weights: " << this->Weights << "\n";
+  os << indent << "NeighborCount: " << this->NeighborCount << "\n";
+  os << indent << "SearchRadius: " << this->SearchRadius << "\n";
+  os << indent << "KernelWidth: " << this->KernelWidth << "\n";
   os << indent << "ResultArrayName: " << (this->ResultArrayName ? this->ResultArrayName : "(none)")
      << "\n";
 }

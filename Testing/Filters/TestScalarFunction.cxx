@@ -228,9 +228,8 @@ TEST(ScalarFunction, refusesFunctionsThatDoNotExist)
 {
   vtkNew<vtkPointSetScalarFunction> filter;
   filter->SetInputData(sphereCloud());
-  filter->SetFunction(3);
-  expectRefusal(
-    filter, { "needs Function 0 (Height), 1 (DistanceToPoint) or 2 (DistanceToPlane), found 3." });
+  filter->SetFunction(7);
+  expectRefusal(filter, { "needs Function 0 (Height)", "or 6 (Diffusion), found 7." });
 }
 
 TEST(ScalarFunction, refusesNoPoints)
