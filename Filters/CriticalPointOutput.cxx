@@ -1,0 +1,102 @@
+#include "CriticalPointOutput.h"
+
+#include "OutputArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <limits>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+/// Makes room for all arrays of the filter's own. @returns where f is now
+std::string makeRoomForAll(const std::string& valueName, const FilterRun& run, vtkPointData* data)
+{
+  std::string name = valueName;
+  for (const char* own : { "CriticalProbability", "Gradient", "Normals", "CriticalType" })
+  {
+    const std::string renamed = makeRoom(run, data, own);
+    name = own == valueName ? renamed : name;
+  }
+  return name;
+}
+
+} // namespace
+
+void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& map,
+  const std::string& valueName, const FilterRun& run, vtkPolyData* output)
+{
+  const vtkIdType count = map.pointCount();
+  const auto probabilities = makeDoubles("CriticalProbability", count);
+  const auto gradients = makeDoubles("Gradient", count, 3);
+  const auto normals = makeDoubles("Normals", count, 3);
+  const auto types = makeInts("CriticalType", count);
+  const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (vtkIdType point = 0; point < count; ++point)
+  {
+    const Index vertex = map.vertexOf(point);
+    const bool isThere = vertex != VertexMap::None;
+    probabilities->SetValue(point, isThere ? samples.probability(vertex) : none.x());
+    gradients->SetTypedTuple(point, isThere ? samples.gradient.col(vertex).data() : none.data());
+    normals->SetTypedTuple(point, isThere ? samples.normal.col(vertex).data() : none.data());
+    types->SetValue(
+      point, static_cast<int>(isThere ? samples.type[vertex] : CriticalType::Excluded));
+  }
+
+  vtkPointData* data = output->GetPointData();
+  const std::string name = makeRoomForAll(valueName, run, data);
+  data->AddArray(probabilities);
+  data->AddArray(gradients);
+  data->SetNormals(normals);
+  data->AddArray(types);
+  data->SetActiveScalars(name.c_str());
+}
+
+void writeCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(points.size());
+  const auto places = vtkSmartPointer<vtkPoints>::New();
+  places->SetDataTypeToDouble();
+  places->SetNumberOfPoints(count);
+  const auto types = makeInts("CriticalType", count);
+  const auto multiplicities = makeInts("Multiplicity", count);
+  const auto probabilities = makeDoubles("CriticalProbability", count);
+  const auto values = makeDoubles("ScalarValue", count);
+  const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName("PointId");
+  ids->SetNumberOfValues(count);
+  const auto persistences = makeDoubles("Persistence", count);
+  const auto residuals = makeDoubles("Residual", count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const CriticalPoint& point = points[static_cast<std::size_t>(i)];
+    places->SetPoint(i, point.position.data());
+    types->SetValue(i, static_cast<int>(point.type));
+    multiplicities->SetValue(i, point.multiplicity);
+    probabilities->SetValue(i, point.probability);
+    values->SetValue(i, point.value);
+    ids->SetValue(i, static_cast<vtkIdType>(point.input));
+    persistences->SetValue(i, point.persistence);
+    residuals->SetValue(i, point.residual);
+  }
+  output->SetPoints(places);
+  output->SetVerts(makeVertices(count));
+  vtkPointData* data = output->GetPointData();
+  data->SetScalars(types);
+  data->AddArray(multiplicities);
+  data->AddArray(probabilities);
+  data->AddArray(values);
+  data->AddArray(ids);
+  data->AddArray(persistences);
+  data->AddArray(residuals);
+}
+
+} // namespace SurfaceScalars

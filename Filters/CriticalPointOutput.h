@@ -1,0 +1,31 @@
+#pragma once
+
+#include "CriticalPoint.h"
+#include "FuzzyCriticalPoints.h"
+#include "SurfaceVertices.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace SurfaceScalars
+{
+
+class FilterRun;
+
+/**
+ * Adds the arrays CriticalProbability, Gradient, Normals and CriticalType to the points of the
+ * output; where the map has no vertex they are NaN and -1. Arrays of these names become
+ * `<name>Input`, with a warning.
+ *
+ * @param valueName f's name; f becomes the active scalars
+ */
+void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& map,
+  const std::string& valueName, const FilterRun& run, vtkPolyData* output);
+
+/// The critical points as vertices with all arrays of a port `CriticalPoints`; their `input` is
+/// PointId.
+void writeCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* output);
+
+} // namespace SurfaceScalars
