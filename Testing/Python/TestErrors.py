@@ -79,6 +79,52 @@ class TestErrors(unittest.TestCase):
             support.fetch(function)
         self.assertIn("Point Set Scalar Function: ", messages.text)
 
+    def expect_function_refused(self, *words, **properties):
+        with support.Messages() as messages:
+            function = simple.PointSetScalarFunction(
+                Input=support.source(support.polydata(support.torus_points(500))), **properties
+            )
+            self.assertEqual(support.fetch(function).GetNumberOfPoints(), 0)
+        self.assertIn("Point Set Scalar Function: needs ", messages.text)
+        for word in words:
+            self.assertIn(word, messages.text)
+
+    def test_functions_without_sources(self):
+        self.expect_function_refused("SourceIds", "found none", Function="Geodesic")
+        self.expect_function_refused("SourceIds", "found none", Function="Diffusion")
+        self.expect_function_refused("ConstraintIds", "found none", Function="Harmonic")
+        self.expect_function_refused("Selection", "found none", Function="Geodesic", SourceType="Selection")
+
+    def test_functions_with_wrong_sources(self):
+        self.expect_function_refused("from 0 to 499", "found 500", Function="Geodesic", SourceIds=[1, 500])
+        self.expect_function_refused(
+            "one value at each place", "point 1", Function="Harmonic", ConstraintIds=[1, 1], ConstraintValues=[0, 1]
+        )
+        self.expect_function_refused("(2)", "found 1", Function="Harmonic", ConstraintIds=[1, 2], ConstraintValues=[0])
+
+    def test_functions_out_of_range(self):
+        self.expect_function_refused("from 0 to 498", "999", Function="LaplacianEigenfunction", EigenIndex=999)
+        self.expect_function_refused("triangles", Function="LaplacianEigenfunction", Weights="Cotangent")
+
+    def test_critical_points_without_array(self):
+        with support.Messages() as messages:
+            critical = simple.FuzzyCriticalPoints(Input=support.source(support.polydata(support.torus_points(500))))
+            self.assertEqual(support.fetch(critical).GetNumberOfPoints(), 0)
+            self.assertEqual(support.fetch(critical, 1).GetNumberOfPoints(), 0)
+        self.assertIn("Fuzzy Critical Points: needs ", messages.text)
+        self.assertIn("array", messages.text)
+
+    def test_critical_points_of_an_angle_to_nothing(self):
+        points = support.torus_points(500)
+        with support.Messages() as messages:
+            critical = simple.FuzzyCriticalPoints(
+                Input=support.source(support.polydata(points, f=points[:, 0])),
+                ScalarArray=["POINTS", "f"],
+                ProbabilityModel="NormalAngle",
+            )
+            self.assertEqual(support.fetch(critical, 1).GetNumberOfPoints(), 0)
+        self.assertIn("VolumeFunction", messages.text)
+
 
 if __name__ == "__main__":
     support.load_plugin()

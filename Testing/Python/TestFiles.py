@@ -107,6 +107,53 @@ class TestFiles(unittest.TestCase):
         self.assertEqual(loaded.CutFunction.Radius, 0.6)
         self.assertTrue(numpy.array_equal(support.positions(support.fetch(loaded)), points))
 
+    def test_critical_points_are_read_back_exactly(self):
+        points = support.torus_points(4000)
+        source = support.source(support.polydata(points, f=points[:, 0]))
+        critical = simple.FuzzyCriticalPoints(Input=source, ScalarArray=["POINTS", "f"])
+        for port, names in (
+            (0, ("f", "CriticalProbability", "Gradient", "Normals", "CriticalType")),
+            (1, ("CriticalType", "Multiplicity", "CriticalProbability", "ScalarValue", "PointId", "Persistence")),
+        ):
+            path = support.output_file(f"critical-{port}.vtp")
+            simple.SaveData(path, proxy=simple.OutputPort(critical, port), DataMode="Binary")
+            written = support.fetch(critical, port)
+            read = support.fetch(simple.XMLPolyDataReader(FileName=[path]))
+            self.assertGreater(read.GetNumberOfPoints(), 0)
+            self.assertTrue(numpy.array_equal(support.positions(read), support.positions(written)))
+            for name in names:
+                self.assertTrue(numpy.array_equal(support.point_array(read, name), support.point_array(written, name)))
+            self.assertEqual(support.field_array(read, "IndexSum"), support.field_array(written, "IndexSum"))
+
+    def test_state_files_bring_functions_and_critical_points_back(self):
+        sphere = simple.Sphere(ThetaResolution=40, PhiResolution=40)
+        function = simple.PointSetScalarFunction(
+            registrationName="Harmonic",
+            Input=sphere,
+            Function="Harmonic",
+            ConstraintIds=[0, 1, 700],
+            ConstraintValues=[0, 1, 0.5],
+            NeighborCount=12,
+        )
+        critical = simple.FuzzyCriticalPoints(
+            registrationName="Critical", Input=function, ScalarArray=["POINTS", "Harmonic"], PersistenceThreshold=0.02
+        )
+        values = support.point_array(support.fetch(function), "Harmonic").copy()
+        places = support.positions(support.fetch(critical, 1)).copy()
+        path = support.output_file("state-critical.pvsm")
+        servermanager.SaveState(path)
+        self.tearDown()
+
+        servermanager.LoadState(path)
+        loaded = simple.FindSource("Harmonic")
+        self.assertEqual(loaded.Function, "Harmonic")
+        self.assertEqual(list(loaded.ConstraintIds), [0, 1, 700])
+        self.assertEqual(list(loaded.ConstraintValues), [0, 1, 0.5])
+        self.assertTrue(numpy.array_equal(support.point_array(support.fetch(loaded), "Harmonic"), values))
+        critical = simple.FindSource("Critical")
+        self.assertEqual(critical.PersistenceThreshold, 0.02)
+        self.assertTrue(numpy.array_equal(support.positions(support.fetch(critical, 1)), places))
+
 
 if __name__ == "__main__":
     support.load_plugin()

@@ -91,9 +91,72 @@ PROXIES = {
     },
     "PointSetScalarFunction": {
         "ports": None,
-        "enumerations": {"Function": {"Height": 0, "DistanceToPoint": 1, "DistanceToPlane": 2}},
-        "defaults": {"Function": "Height"},
-        "others": ["Input", "Direction", "Center", "Origin", "Normal", "ResultArrayName"],
+        "enumerations": {
+            "Function": {
+                "Height": 0,
+                "DistanceToPoint": 1,
+                "DistanceToPlane": 2,
+                "Geodesic": 3,
+                "Harmonic": 4,
+                "LaplacianEigenfunction": 5,
+                "Diffusion": 6,
+            },
+            "SourceType": {"Ids": 0, "Selection": 1, "Point": 2},
+            "Weights": {
+                "Gaussian": 0,
+                "DensityNormalized": 1,
+                "LocalScale": 2,
+                "Cotangent": 3,
+                "NormalizedCotangent": 4,
+                "MeanValue": 5,
+            },
+        },
+        "defaults": {
+            "Function": "Height",
+            "SourceType": "Ids",
+            "SourceIds": [],
+            "ConstraintIds": [],
+            "ConstraintValues": [],
+            "EigenIndex": 1,
+            "DiffusionTime": 0.0,
+            "Weights": "LocalScale",
+            "NeighborCount": 0,
+            "SearchRadius": 0.0,
+            "KernelWidth": 0.0,
+        },
+        "others": [
+            "Input",
+            "Selection",
+            "Direction",
+            "Center",
+            "Origin",
+            "Normal",
+            "SourcePoint",
+            "ConstraintPoint1",
+            "ConstraintPoint2",
+            "ResultArrayName",
+        ],
+    },
+    "FuzzyCriticalPoints": {
+        "ports": ["Output", "CriticalPoints"],
+        "enumerations": {
+            "Scheme": {"ExplicitMLS": 1, "ParameterizedMLS": 2, "LocalRBF": 3, "Hybrid": 4},
+            "Kernel": KERNELS,
+            "ProbabilityModel": {"Gradient": 0, "NormalAngle": 1},
+        },
+        "defaults": {
+            "Scheme": "ParameterizedMLS",
+            "Kernel": "Cubic",
+            "ProbabilityModel": "Gradient",
+            "NeighborCount": 0,
+            "SearchRadius": 0.0,
+            "PolynomialDegree": 2,
+            "KernelWidth": 0.0,
+            "ProbabilityThreshold": 0.0,
+            "PersistenceThreshold": 0.0,
+            "Refine": 1,
+        },
+        "others": ["Input", "ScalarArray", "VolumeFunction"],
     },
 }
 
@@ -148,9 +211,15 @@ class TestProxies(unittest.TestCase):
 
     def test_values_of_other_filters_are_refused(self):
         contour = self.proxies["PointSetContour"]
-        for property_name, value in (("Scheme", "GlobalRBF"), ("Kernel", "Harmonic")):
+        critical = self.proxies["FuzzyCriticalPoints"]
+        for proxy, property_name, value in (
+            (contour, "Scheme", "GlobalRBF"),
+            (contour, "Kernel", "Harmonic"),
+            (critical, "Scheme", "Linear"),
+            (critical, "Scheme", "GlobalRBF"),
+        ):
             with self.assertRaises(ValueError):
-                setattr(contour, property_name, value)
+                setattr(proxy, property_name, value)
 
     def test_defaults(self):
         for _, proxy, expected in self.each():
@@ -165,11 +234,20 @@ class TestProxies(unittest.TestCase):
         self.assertAlmostEqual(contour.ContourValues[0], 0.5 * (low + high), places=12)
         self.assertEqual(list(contour.ScalarArray), ["POINTS", "f"])
 
-    def test_cut_functions_on_offer(self):
-        domain = self.proxies["PointSetContour"].SMProxy.GetProperty("CutFunction").FindDomain("vtkSMProxyListDomain")
-        offered = [domain.GetProxyName(i) for i in range(domain.GetNumberOfProxies())]
-        self.assertEqual(offered[0], "None")
-        self.assertEqual(set(offered), {"None", "Plane", "Sphere", "Box", "Cylinder"})
+    def test_implicit_functions_on_offer(self):
+        for name, property_name in (("PointSetContour", "CutFunction"), ("FuzzyCriticalPoints", "VolumeFunction")):
+            domain = self.proxies[name].SMProxy.GetProperty(property_name).FindDomain("vtkSMProxyListDomain")
+            offered = [domain.GetProxyName(i) for i in range(domain.GetNumberOfProxies())]
+            self.assertEqual(offered[0], "None")
+            self.assertEqual(set(offered), {"None", "Plane", "Sphere", "Box", "Cylinder"})
+
+    def test_places_are_offered_within_the_bounds_of_the_input(self):
+        function = self.proxies["PointSetScalarFunction"]
+        bounds = function.Input.GetDataInformation().GetBounds()
+        for i in range(3):
+            self.assertAlmostEqual(function.SourcePoint[i], 0.5 * (bounds[2 * i] + bounds[2 * i + 1]))
+            self.assertAlmostEqual(function.ConstraintPoint1[i], bounds[2 * i])
+            self.assertAlmostEqual(function.ConstraintPoint2[i], bounds[2 * i + 1])
 
     def test_output_ports_have_the_names_of_the_interface(self):
         for _, proxy, expected in self.each():

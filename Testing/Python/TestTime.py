@@ -1,4 +1,4 @@
-"""Time series: every step is contoured on its own."""
+"""Time series: every step is worked on on its own."""
 
 import unittest
 
@@ -43,6 +43,20 @@ class TestTime(unittest.TestCase):
             self.assertEqual(list(support.field_array(contours, "ComponentCounts")), [1])
             self.assertLess(numpy.abs(radius - (1 + time)).max(), 0.01 * (1 + time))
             self.assertLess(numpy.abs(points[:, 2] - 0.5).max(), 0.01 * (1 + time))
+
+    def test_functions_and_critical_points_follow_the_time(self):
+        series = support.three_steps(GROWING_SPHERE)
+        geodesic = simple.PointSetScalarFunction(Input=series, Function="Geodesic", SourceIds=[0])
+        critical = simple.FuzzyCriticalPoints(Input=series, ScalarArray=["POINTS", "height"])
+        for time in (0.0, 2.0, 1.0):
+            radius = 1 + time
+            geodesic.UpdatePipeline(time)
+            distances = support.point_array(geodesic.GetClientSideObject().GetOutputDataObject(0), "Geodesic")
+            self.assertAlmostEqual(distances.max() / (numpy.pi * radius), 1, delta=0.05)
+            critical.UpdatePipeline(time)
+            points = critical.GetClientSideObject().GetOutputDataObject(1)
+            self.assertEqual(list(support.point_array(points, "CriticalType")), [0, 3])
+            self.assertLess(numpy.abs(support.positions(points)[:, 2] - [-radius, radius]).max(), 0.01 * radius)
 
     def test_the_steps_reach_downstream(self):
         series = support.three_steps(GROWING_SPHERE)
