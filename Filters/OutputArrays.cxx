@@ -115,7 +115,7 @@ std::string renameTaken(vtkFieldData* data, const std::string& name)
 
 std::string makeRoom(const FilterRun& run, vtkFieldData* data, const std::string& name)
 {
-  const std::string renamed = renameTaken(data, name);
+  std::string renamed = renameTaken(data, name);
   if (!renamed.empty())
   {
     run.warn("The output has an array '" + name + "' of its own; the input's '" + name +

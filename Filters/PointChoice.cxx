@@ -56,7 +56,7 @@ Ids givenIds(const PointChoice& choice)
 
 Ids selectedIds(const PointChoice& choice)
 {
-  const Ids ids = choice.selection ? selectedPoints(choice.selection, choice.input) : Ids();
+  Ids ids = choice.selection ? selectedPoints(choice.selection, choice.input) : Ids();
   require(!ids.empty(), "a Selection of points",
     choice.selection ? "one of no points of the input" : "none",
     "Select points in a view and copy the active selection, or choose SourceType Ids or Point.");
