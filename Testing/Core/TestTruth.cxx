@@ -41,33 +41,71 @@ TEST(Truth, torusIsConsistent)
 TEST(Truth, gradientsAreDerivatives)
 {
   const Vector3d place(0.7, -0.9, 0.3);
-  for (const SpaceFunction& function : bothFunctions())
+  for (const SpaceFunction& function :
+    { tiltedHeight(), saddleWithLogarithm(), cosinesOfAngles(), planarSaddle(3) })
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const Vector3d shift = 1e-5 * Vector3d::Unit(axis);
       const double difference = function.value(place + shift) - function.value(place - shift);
-      EXPECT_NEAR(function.gradient(place)[axis], difference / 2e-5, 1e-9) << function.name;
+      EXPECT_NEAR(function.gradient(place)[axis], difference / 2e-5, 1e-8) << function.name;
     }
   }
 }
 
-// Poincare and Hopf: the indices of all critical points sum to the Euler characteristic, 0 on the
-// torus. None is missed.
-TEST(Truth, criticalIndicesSumToZero)
+// Poincare and Hopf: the indices of all critical points sum to the Euler characteristic. None is
+// missed.
+TEST(Truth, criticalIndicesSumToTheEulerCharacteristic)
 {
-  for (const SpaceFunction& function : bothFunctions())
+  for (const ClosedSurface& surface : { unitSphere(), closedTorus(), doubleTorus() })
   {
-    const auto points = criticalPoints(function);
-    EXPECT_GE(points.size(), 4u) << function.name;
-    int sum = 0;
-    for (const CriticalPoint& point : points)
+    for (const SpaceFunction& function : bothFunctions())
     {
-      sum += point.index;
-      const Vector3d gradient = function.gradient(torusPoint(point.angles));
-      EXPECT_LT(gradient.cross(torusNormal(point.angles)).norm(), 1e-10) << function.name;
+      const auto points = criticalPoints(surface, function);
+      EXPECT_GE(points.size(), 2u) << function.name;
+      int sum = 0;
+      for (const CriticalPoint& point : points)
+      {
+        sum += indexOf(point);
+        const Vector3d normal = surface.implicit.gradient(point.position).normalized();
+        EXPECT_LT(function.gradient(point.position).cross(normal).norm(), 1e-9) << function.name;
+        EXPECT_NEAR(surface.implicit.value(point.position), 0.0, 1e-12);
+      }
+      EXPECT_EQ(sum, surface.eulerCharacteristic) << function.name << " on the " << surface.name;
     }
-    EXPECT_EQ(sum, 0) << function.name;
+  }
+}
+
+// cos 3u cos 2v: extrema where both cosines are 1 or -1, saddles where both vanish.
+TEST(Truth, cosinesOfAnglesHave48CriticalPoints)
+{
+  const auto points = criticalPoints(closedTorus(), cosinesOfAngles());
+  ASSERT_EQ(points.size(), 48u);
+  for (const CriticalPoint& point : points)
+  {
+    const Vector2d halves(point.type == CriticalType::Saddle ? Vector2d(0.5, 0.5) : Vector2d(0, 0));
+    const Vector2d angles = torusAngles(point.position);
+    const Vector2d counts = Vector2d(angles.x() * 3.0 / Pi, angles.y() * 2.0 / Pi) - halves;
+    EXPECT_LT((counts - counts.array().round().matrix()).norm(), 1e-9);
+    const double expected = point.type == CriticalType::Saddle ? 0.0
+      : point.type == CriticalType::Maximum                    ? 1.0
+                                                               : -1.0;
+    EXPECT_NEAR(point.value, expected, 1e-12);
+  }
+}
+
+// Where random lines meet a torus is uniform by area: the outer half has (pi R + 2 r) / (2 pi R) of
+// it.
+TEST(Truth, crossingsOfRandomLinesAreUniform)
+{
+  const int count = 20000;
+  const Points points = randomCrossings(closedTorus().implicit, 1.5, count, 5);
+  const Points outer = select(points, [](const Vector3d& p) { return p.head<2>().norm() > 1.0; });
+  const double share = (Pi * MajorRadius + 2.0 * MinorRadius) / (2.0 * Pi * MajorRadius);
+  EXPECT_NEAR(static_cast<double>(outer.cols()) / count, share, 3.0 * std::sqrt(0.25 / count));
+  for (int i = 0; i < count; ++i)
+  {
+    EXPECT_NEAR(torusDistance(points.col(i)), 0.0, 1e-12);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "CriticalPoints.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -11,51 +12,94 @@ namespace SurfaceScalars::Truth
 namespace
 {
 
-Vector2d angularGradient(const SpaceFunction& function, const Vector2d& angles)
-{
-  return torusTangents(angles).transpose() * function.gradient(torusPoint(angles));
-}
-
 // Central differences of the exact gradient: Newton's limit does not depend on their error.
-Eigen::Matrix2d angularHessian(const SpaceFunction& function, const Vector2d& angles)
+Eigen::Matrix3d hessianOf(const SpaceFunction& function, const Vector3d& place)
 {
   const double step = 1e-5;
-  Eigen::Matrix2d hessian;
-  for (int i = 0; i < 2; ++i)
+  Eigen::Matrix3d hessian;
+  for (int i = 0; i < 3; ++i)
   {
-    const Vector2d shift = step * Vector2d::Unit(i);
+    const Vector3d shift = step * Vector3d::Unit(i);
     hessian.col(i) =
-      (angularGradient(function, angles + shift) - angularGradient(function, angles - shift)) /
-      (2.0 * step);
+      (function.gradient(place + shift) - function.gradient(place - shift)) / (2.0 * step);
   }
   return 0.5 * (hessian + hessian.transpose());
 }
 
-bool newton(const SpaceFunction& function, Vector2d& angles)
+/// f on {g = 0}: the place p and the multiplier l at which grad f = l grad g.
+struct Lagrange
 {
-  for (int i = 0; i < 100; ++i)
-  {
-    Vector2d step =
-      angularHessian(function, angles).fullPivLu().solve(-angularGradient(function, angles));
-    if (!step.allFinite())
-    {
-      return false;
-    }
-    const double length = step.norm();
-    angles += length > 0.2 ? Vector2d(step * (0.2 / length)) : step;
-    if (length < 1e-12)
-    {
-      return true;
-    }
-  }
-  return false;
-}
+  const SpaceFunction& f;
+  const SpaceFunction& g;
+  Vector3d place;
+  double multiplier;
 
-bool isKnown(const std::vector<CriticalPoint>& found, const Vector2d& angles)
+  Lagrange(const SpaceFunction& function, const SpaceFunction& implicit, const Vector3d& start)
+    : f(function)
+    , g(implicit)
+    , place(start)
+    , multiplier(f.gradient(start).dot(g.gradient(start)) / g.gradient(start).squaredNorm())
+  {
+  }
+
+  Eigen::Matrix3d hessian() const
+  {
+    return hessianOf(this->f, this->place) - this->multiplier * hessianOf(this->g, this->place);
+  }
+
+  Eigen::Vector4d newtonStep() const
+  {
+    const Vector3d normal = this->g.gradient(this->place);
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+    matrix.topLeftCorner<3, 3>() = this->hessian();
+    matrix.topRightCorner<3, 1>() = -normal;
+    matrix.bottomLeftCorner<1, 3>() = normal.transpose();
+    Eigen::Vector4d residual;
+    residual << this->f.gradient(this->place) - this->multiplier * normal,
+      this->g.value(this->place);
+    return matrix.fullPivLu().solve(-residual);
+  }
+
+  bool converges()
+  {
+    for (int i = 0; i < 100; ++i)
+    {
+      Eigen::Vector4d step = this->newtonStep();
+      if (!step.allFinite())
+      {
+        return false;
+      }
+      const double length = step.head<3>().norm();
+      step *= std::min(1.0, 0.05 / length);
+      this->place += step.head<3>();
+      this->multiplier += step[3];
+      if (length < 1e-11)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  CriticalType type() const
+  {
+    const Vector3d normal = this->g.gradient(this->place).normalized();
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents.col(0) = normal.unitOrthogonal();
+    tangents.col(1) = normal.cross(tangents.col(0));
+    const Eigen::Matrix2d restricted = tangents.transpose() * this->hessian() * tangents;
+    if (restricted.determinant() < 0.0)
+    {
+      return CriticalType::Saddle;
+    }
+    return restricted.trace() < 0.0 ? CriticalType::Maximum : CriticalType::Minimum;
+  }
+};
+
+bool isKnown(const std::vector<CriticalPoint>& found, const Vector3d& place)
 {
   return std::any_of(found.begin(), found.end(),
-    [&](const CriticalPoint& point)
-    { return (torusPoint(point.angles) - torusPoint(angles)).norm() < 1e-7; });
+    [&](const CriticalPoint& point) { return (point.position - place).norm() < 1e-6; });
 }
 
 // Values that symmetry makes equal differ by rounding.
@@ -70,18 +114,21 @@ std::vector<double> distinct(std::vector<double> values)
 
 } // namespace
 
-std::vector<CriticalPoint> criticalPoints(const SpaceFunction& function)
+std::vector<CriticalPoint> criticalPoints(
+  const ClosedSurface& surface, const SpaceFunction& function)
 {
-  const int starts = 40;
+  const Points starts = surface.sample(2000, 1);
   std::vector<CriticalPoint> found;
-  for (int i = 0; i < starts * starts; ++i)
+  for (Eigen::Index i = 0; i < starts.cols(); ++i)
   {
-    // Off the axes of symmetry, on which Newton's method would stay.
-    Vector2d angles = 2.0 * Pi / starts * Vector2d(i % starts + 0.37, i / starts + 0.41);
-    if (newton(function, angles) && !isKnown(found, angles))
+    Lagrange solution(function, surface.implicit, starts.col(i));
+    if (solution.converges() && !isKnown(found, solution.place))
     {
-      const int index = angularHessian(function, angles).determinant() > 0.0 ? 1 : -1;
-      found.push_back({ angles, function.value(torusPoint(angles)), index });
+      CriticalPoint point;
+      point.position = solution.place;
+      point.type = solution.type();
+      point.value = function.value(solution.place);
+      found.push_back(point);
     }
   }
   return found;
@@ -94,7 +141,11 @@ std::vector<double> boundaryCriticalValues(const SpaceFunction& function)
   std::vector<double> values;
   for (const double u : { axial.begin, axial.end })
   {
-    const auto slope = [&](double v) { return angularGradient(function, Vector2d(u, v)).y(); };
+    const auto slope = [&](double v)
+    {
+      const Vector2d angles(u, v);
+      return torusTangents(angles).col(1).dot(function.gradient(torusPoint(angles)));
+    };
     for (int i = 0; i < intervals; ++i)
     {
       double low = 2.0 * Pi * (i + 0.3) / intervals;
@@ -118,9 +169,9 @@ std::vector<double> boundaryCriticalValues(const SpaceFunction& function)
 std::vector<double> criticalValues(const SpaceFunction& function, Torus torus)
 {
   std::vector<double> values;
-  for (const CriticalPoint& point : criticalPoints(function))
+  for (const CriticalPoint& point : criticalPoints(closedTorus(), function))
   {
-    if (torus == Torus::Closed || distanceFromCut(torusPoint(point.angles)) > 0.0)
+    if (torus == Torus::Closed || distanceFromCut(point.position) > 0.0)
     {
       values.push_back(point.value);
     }

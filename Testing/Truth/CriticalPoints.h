@@ -1,6 +1,8 @@
 #pragma once
 
+#include "CriticalPoint.h"
 #include "Functions.h"
+#include "Surfaces.h"
 #include "Torus.h"
 
 #include <vector>
@@ -8,20 +10,13 @@
 namespace SurfaceScalars::Truth
 {
 
-/// Where the gradient of f on the torus vanishes.
-struct CriticalPoint
-{
-  Vector2d angles;
-  double value;
-  int index; ///< of Poincare and Hopf: 1 at minima and maxima, -1 at saddles
-};
-
 /**
- * All critical points of f on the closed torus, by Newton's method from a grid of starts; values to
- * rounding. Only nondegenerate ones are meant to exist: then the indices sum to the Euler
- * characteristic 0.
+ * All critical points of f on a closed surface, by Newton's method from many samples of it;
+ * positions and values to rounding. Only nondegenerate ones are meant to exist: then their indices
+ * sum to the Euler characteristic.
  */
-std::vector<CriticalPoint> criticalPoints(const SpaceFunction& function);
+std::vector<CriticalPoint> criticalPoints(
+  const ClosedSurface& surface, const SpaceFunction& function);
 
 /// Extrema of f on the two boundary circles of the cut torus: there curves begin to cross the
 /// boundary.

@@ -22,6 +22,12 @@ SpaceFunction tiltedHeight();
 /// x^2 - y^2 + log(1 + |p|): not linear, with symmetric and with nearby critical values.
 SpaceFunction saddleWithLogarithm();
 
+/// cos 3u cos 2v of the torus' angles: 24 extrema, 24 saddles.
+SpaceFunction cosinesOfAngles();
+
+/// Re (x + i y)^(m + 1): a saddle of multiplicity m at the origin of the plane, nothing else.
+SpaceFunction planarSaddle(int multiplicity);
+
 /// The values at the columns of points.
 Values valuesOf(const SpaceFunction& function, const PointsRef& points);
 Values valuesOf(const std::function<double(const Vector3d&)>& function, const PointsRef& points);
