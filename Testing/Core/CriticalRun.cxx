@@ -1,0 +1,99 @@
+#include "CriticalRun.h"
+
+#include "CriticalPoints.h"
+#include "Sampling.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace SurfaceScalars::Truth
+{
+namespace
+{
+
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - this->start_;
+    return elapsed.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+CriticalScore inSteps(CriticalScore score, double samplingStep)
+{
+  score.errorSum /= samplingStep;
+  score.squaredErrorSum /= samplingStep * samplingStep;
+  score.errorMaximum /= samplingStep;
+  return score;
+}
+
+} // namespace
+
+CriticalCase::CriticalCase(ClosedSurface on, SpaceFunction of)
+  : surface(std::move(on))
+  , function(std::move(of))
+  , exact(criticalPoints(surface, function))
+{
+  const auto [lowest, highest] = std::minmax_element(this->exact.begin(), this->exact.end(),
+    [](const CriticalPoint& a, const CriticalPoint& b) { return a.value < b.value; });
+  this->range = highest->value - lowest->value;
+}
+
+CriticalSamples::CriticalSamples(
+  const CriticalCase& criticalCase, const TruthSampling& sampling, unsigned noiseSeed)
+  : exactPoints(criticalCase.surface.sample(sampling.pointCount, sampling.seed))
+  , points(exactPoints)
+  , values(valuesOf(criticalCase.function, exactPoints))
+  , samplingStep(NeighborGraph(exactPoints, NeighborQuery()).medianSamplingStep())
+{
+  const unsigned seed = noiseSeed > 0 ? noiseSeed : sampling.seed;
+  const Vector3d extent =
+    this->exactPoints.rowwise().maxCoeff() - this->exactPoints.rowwise().minCoeff();
+  addNoise(this->points, sampling.pointNoise * extent.norm(), seed + 1000);
+  addNoise(this->values, sampling.valueNoise * criticalCase.range, seed + 2000);
+}
+
+void CriticalResult::add(const CriticalResult& other)
+{
+  this->score.add(other.score);
+  this->runCount += other.runCount;
+  this->rightIndexSums += other.rightIndexSums;
+  this->neighborCount = std::max(this->neighborCount, other.neighborCount);
+  this->seconds += other.seconds;
+  this->graphSeconds += other.graphSeconds;
+}
+
+CriticalResult runCritical(const CriticalCase& criticalCase, const TruthSampling& sampling,
+  const CriticalPointParameters& parameters)
+{
+  const CriticalSamples samples(criticalCase, sampling);
+  CriticalResult result;
+  const Stopwatch graphTime;
+  const NeighborGraph graph(samples.points, NeighborQuery());
+  result.graphSeconds = graphTime.seconds();
+  const Stopwatch time;
+  const FuzzyCriticalPoints found =
+    findCriticalPoints(graph, graph.average(samples.values), parameters);
+  result.seconds = time.seconds();
+  result.score = inSteps(
+    scoreCriticalPoints(found.points, criticalCase.exact, unambiguousRadius(criticalCase.exact)),
+    samples.samplingStep);
+  result.runCount = 1;
+  result.rightIndexSums = found.indexSum == criticalCase.surface.eulerCharacteristic ? 1 : 0;
+  result.neighborCount = found.neighborCount;
+  return result;
+}
+
+const std::vector<CriticalCase>& criticalCases()
+{
+  static const std::vector<CriticalCase> cases{ { closedTorus(), tiltedHeight() },
+    { closedTorus(), cosinesOfAngles() }, { unitSphere(), tiltedHeight() } };
+  return cases;
+}
+
+} // namespace SurfaceScalars::Truth

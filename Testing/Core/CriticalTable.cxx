@@ -1,0 +1,50 @@
+// Prints how right and how accurate critical points are, as tables in Markdown for Documentation.
+// The exit code tells whether the defaults keep their promises.
+
+#include "CriticalTable.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace SurfaceScalars::Truth;
+
+// usage: surface-scalars-critical-truth [reduced] [truth] [stability] [calibration] [starts]
+//   [meshes FOLDER] [curve FILE.csv]
+// Without names of parts, all that need no data.
+int main(int argumentCount, char** arguments)
+{
+  const std::vector<std::string> words(arguments + 1, arguments + argumentCount);
+  const auto has = [&](const char* word)
+  { return std::find(words.begin(), words.end(), word) != words.end(); };
+  const auto after = [&](const char* word)
+  {
+    const auto found = std::find(words.begin(), words.end(), word);
+    return found == words.end() || found + 1 == words.end() ? std::string() : *(found + 1);
+  };
+  const bool all =
+    !has("truth") && !has("stability") && !has("calibration") && !has("starts") && !has("meshes");
+  const bool reduced = has("reduced");
+  MarkdownReport report;
+  if (all || has("truth"))
+  {
+    reportTruth(report, reduced);
+  }
+  if (all || has("stability"))
+  {
+    reportStability(report, reduced);
+  }
+  if (all || has("calibration"))
+  {
+    reportCalibration(report, reduced, after("curve"));
+  }
+  if (all || has("starts"))
+  {
+    reportStarts(report);
+  }
+  if (has("meshes"))
+  {
+    reportMeshes(report, after("meshes"));
+  }
+  return report.exitCode();
+}

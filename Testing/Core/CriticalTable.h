@@ -1,0 +1,31 @@
+#pragma once
+
+#include "MarkdownReport.h"
+
+#include <string>
+
+namespace SurfaceScalars::Truth
+{
+
+// Each prints one part of Documentation/critical-points-accuracy.md.
+
+/// Precision, recall and accuracy of what is found with and without noise. @param reduced fewer and
+/// smaller samples
+void reportTruth(MarkdownReport& report, bool reduced);
+
+/// Whether half as many neighbors again find the same points.
+void reportStability(MarkdownReport& report, bool reduced);
+
+/// Whether index sums are Euler characteristics, and what is found of the critical points of
+/// meshes.
+/// @param folder with the meshes in OFF format
+void reportMeshes(MarkdownReport& report, const std::string& folder);
+
+/// What CriticalProbability means: 200 noisy repetitions. @param curveFile observed against stated
+/// probability, as comma-separated values; empty = not written
+void reportCalibration(MarkdownReport& report, bool reduced, const std::string& curveFile);
+
+/// The point-set paper's Fig. 17 and the design paper's Table 3: one function, many starts.
+void reportStarts(MarkdownReport& report);
+
+} // namespace SurfaceScalars::Truth

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace SurfaceScalars::Truth
+{
+
+/// Tables in Markdown on the standard output, and whether all promises in them are kept.
+class MarkdownReport
+{
+public:
+  void head(const std::string& title, const std::vector<std::string>& columns) const
+  {
+    std::printf("\n### %s\n\n", title.c_str());
+    this->row(columns);
+    this->row(std::vector<std::string>(columns.size(), "---"));
+  }
+
+  void row(const std::vector<std::string>& cells) const
+  {
+    for (const std::string& cell : cells)
+    {
+      std::printf("| %s ", cell.c_str());
+    }
+    std::printf("|\n");
+    std::fflush(stdout);
+  }
+
+  /// A cell that says whether a promise is kept, which also decides the exit code.
+  std::string kept(bool promise)
+  {
+    this->allKept_ = this->allKept_ && promise;
+    return promise ? "yes" : "**no**";
+  }
+
+  int exitCode() const { return this->allKept_ ? EXIT_SUCCESS : EXIT_FAILURE; }
+
+private:
+  bool allKept_ = true;
+};
+
+/// @param format of printf, for one double
+inline std::string number(const char* format, double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
+}
+
+} // namespace SurfaceScalars::Truth
