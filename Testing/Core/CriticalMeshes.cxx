@@ -22,7 +22,7 @@ SpaceFunction along(const char* name, const Vector3d& direction)
 }
 
 /// Functions on a mesh that lies around the origin with a diagonal of 2.
-std::vector<SpaceFunction> functionsInSpace()
+std::vector<SpaceFunction> functionsOfSpace()
 {
   return { along("x", Vector3d::UnitX()), along("y", Vector3d::UnitY()),
     along("z", Vector3d::UnitZ()), tiltedHeight(), saddleWithLogarithm(),
@@ -37,6 +37,13 @@ TriangleMesh readCentered(const std::string& fileName)
   const Vector3d high = mesh.points.rowwise().maxCoeff();
   mesh.points = (mesh.points.colwise() - 0.5 * (low + high)) * (2.0 / (high - low).norm());
   return mesh;
+}
+
+bool hasPartner(const CriticalPoint& point, const std::vector<CriticalPoint>& others, double radius)
+{
+  return std::any_of(others.begin(), others.end(),
+    [&](const CriticalPoint& other)
+    { return other.type == point.type && (other.position - point.position).norm() <= radius; });
 }
 
 /// What of the critical vertices of a mesh is found again.
@@ -76,6 +83,31 @@ Containment compare(const NeighborGraph& graph, const FuzzyCriticalPoints& found
   return result;
 }
 
+/// On the error stream: what only the mesh or only its vertices have.
+void printDifferences(const NeighborGraph& graph, const std::vector<CriticalPoint>& ofMesh,
+  const std::vector<CriticalPoint>& found, double range)
+{
+  const auto print = [&](const char* origin, const std::vector<CriticalPoint>& points,
+                       const std::vector<CriticalPoint>& others)
+  {
+    for (const CriticalPoint& point : points)
+    {
+      const double step = graph.samplingStep(graph.pointOfInput(point.input));
+      if (!hasPartner(point, others, 3.0 * step))
+      {
+        std::fprintf(stderr,
+          "  only %s: type %d m %d at %.4f %.4f %.4f, step %.4f, persistence %.5f, probability "
+          "%.3f\n",
+          origin, static_cast<int>(point.type), point.multiplicity, point.position.x(),
+          point.position.y(), point.position.z(), step, point.persistence / range,
+          point.probability);
+      }
+    }
+  };
+  print("in the mesh", ofMesh, found);
+  print("in the cloud", found, ofMesh);
+}
+
 std::string share(int count, int all)
 {
   return std::to_string(count) + " of " + std::to_string(all);
@@ -99,13 +131,16 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
     }
     const TriangleMesh mesh = readCentered(fileName);
     const NeighborGraph graph(mesh.points, NeighborQuery());
-    for (const SpaceFunction& function : functionsInSpace())
+    for (const SpaceFunction& function : functionsOfSpace())
     {
       const Values values = valuesOf(function, mesh.points);
       const double range = values.maxCoeff() - values.minCoeff();
       const auto ofMesh = meshCriticalPoints(mesh, values);
       const FuzzyCriticalPoints found = findCriticalPoints(graph, graph.average(values), {});
       const int euler = mesh.eulerCharacteristic();
+      std::fprintf(
+        stderr, "%s, %s: index sum %d of %d\n", name, function.name.c_str(), found.indexSum, euler);
+      printDifferences(graph, ofMesh, found.points, range);
       std::vector<std::string> row{ name, std::to_string(mesh.points.cols()), std::to_string(euler),
         function.name, std::to_string(found.indexSum), report.kept(found.indexSum == euler),
         std::to_string(found.neighborCount),

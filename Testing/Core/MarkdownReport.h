@@ -21,8 +21,12 @@ public:
 
   void row(const std::vector<std::string>& cells) const
   {
-    for (const std::string& cell : cells)
+    for (std::string cell : cells)
     {
+      for (std::size_t i = cell.find('|'); i != std::string::npos; i = cell.find('|', i + 2))
+      {
+        cell.insert(i, 1, '\\'); // it separates columns
+      }
       std::printf("| %s ", cell.c_str());
     }
     std::printf("|\n");

@@ -21,7 +21,7 @@ std::vector<Edge> edgesOf(const TriangleMesh& mesh)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      const auto [low, high] = std::minmax({ triangle[i], triangle[(i + 1) % 3] });
       edges.emplace_back(low, high);
     }
   }
@@ -85,7 +85,7 @@ std::vector<Lifetime> sweep(const std::vector<Edge>& edges, const std::vector<in
   for (const Edge& edge : edges)
   {
     const auto [low, high] = std::minmax(
-      rank[static_cast<std::size_t>(edge.first)], rank[static_cast<std::size_t>(edge.second)]);
+      { rank[static_cast<std::size_t>(edge.first)], rank[static_cast<std::size_t>(edge.second)] });
     earlier[static_cast<std::size_t>(high)].push_back(low);
   }
   Components components(rank.size());
@@ -94,7 +94,8 @@ std::vector<Lifetime> sweep(const std::vector<Edge>& edges, const std::vector<in
   {
     for (const int neighbor : earlier[static_cast<std::size_t>(vertex)])
     {
-      const auto [older, younger] = std::minmax(components.root(vertex), components.root(neighbor));
+      const auto [older, younger] =
+        std::minmax({ components.root(vertex), components.root(neighbor) });
       if (older == younger)
       {
         continue;
