@@ -75,10 +75,7 @@ Containment compare(const NeighborGraph& graph, const FuzzyCriticalPoints& found
     graph.within(graph.points().col(at), 2.0 * step, near);
     result.inFuzzySet += std::any_of(near.indices.begin(), near.indices.end(),
       [&](Index i) { return found.samples.probability[i] > Probable; });
-    result.sameType += std::any_of(found.points.begin(), found.points.end(),
-      [&](const CriticalPoint& point) {
-        return point.type == vertex.type && (point.position - vertex.position).norm() <= 3.0 * step;
-      });
+    result.sameType += hasPartner(vertex, found.points, 3.0 * step) ? 1 : 0;
   }
   return result;
 }
@@ -106,11 +103,6 @@ void printDifferences(const NeighborGraph& graph, const std::vector<CriticalPoin
   };
   print("in the mesh", ofMesh, found);
   print("in the cloud", found, ofMesh);
-}
-
-std::string share(int count, int all)
-{
-  return std::to_string(count) + " of " + std::to_string(all);
 }
 
 } // namespace
@@ -149,7 +141,7 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
       {
         const Containment result = compare(graph, found, ofMesh, threshold * range);
         row.insert(row.end(),
-          { share(result.inFuzzySet, result.meshCount), share(result.sameType, result.meshCount),
+          { ofAll(result.inFuzzySet, result.meshCount), ofAll(result.sameType, result.meshCount),
             std::to_string(result.foundCount) });
       }
       report.row(row);

@@ -24,14 +24,6 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-CriticalScore inSteps(CriticalScore score, double samplingStep)
-{
-  score.errorSum /= samplingStep;
-  score.squaredErrorSum /= samplingStep * samplingStep;
-  score.errorMaximum /= samplingStep;
-  return score;
-}
-
 } // namespace
 
 CriticalCase::CriticalCase(ClosedSurface on, SpaceFunction of)
@@ -68,8 +60,7 @@ void CriticalResult::add(const CriticalResult& other)
   this->graphSeconds += other.graphSeconds;
 }
 
-CriticalResult runCritical(const CriticalCase& criticalCase, const TruthSampling& sampling,
-  const CriticalPointParameters& parameters)
+CriticalResult runCritical(const CriticalCase& criticalCase, const TruthSampling& sampling)
 {
   const CriticalSamples samples(criticalCase, sampling);
   CriticalResult result;
@@ -77,16 +68,25 @@ CriticalResult runCritical(const CriticalCase& criticalCase, const TruthSampling
   const NeighborGraph graph(samples.points, NeighborQuery());
   result.graphSeconds = graphTime.seconds();
   const Stopwatch time;
-  const FuzzyCriticalPoints found =
-    findCriticalPoints(graph, graph.average(samples.values), parameters);
+  const FuzzyCriticalPoints found = findCriticalPoints(graph, graph.average(samples.values), {});
   result.seconds = time.seconds();
-  result.score = inSteps(
-    scoreCriticalPoints(found.points, criticalCase.exact, unambiguousRadius(criticalCase.exact)),
-    samples.samplingStep);
+  result.score =
+    scoreCriticalPoints(found.points, criticalCase.exact, unambiguousRadius(criticalCase.exact))
+      .inUnitsOf(samples.samplingStep);
   result.runCount = 1;
   result.rightIndexSums = found.indexSum == criticalCase.surface.eulerCharacteristic ? 1 : 0;
   result.neighborCount = found.neighborCount;
   return result;
+}
+
+CriticalResult runSeeds(const CriticalCase& criticalCase, TruthSampling sampling, unsigned seeds)
+{
+  CriticalResult all;
+  for (sampling.seed = 1; sampling.seed <= seeds; ++sampling.seed)
+  {
+    all.add(runCritical(criticalCase, sampling));
+  }
+  return all;
 }
 
 const std::vector<CriticalCase>& criticalCases()

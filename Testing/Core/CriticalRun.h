@@ -48,8 +48,10 @@ struct CriticalResult
   void add(const CriticalResult& other);
 };
 
-CriticalResult runCritical(const CriticalCase& criticalCase, const TruthSampling& sampling,
-  const CriticalPointParameters& parameters = {});
+CriticalResult runCritical(const CriticalCase& criticalCase, const TruthSampling& sampling);
+
+/// The same for the seeds 1 to `seeds` of points and noise.
+CriticalResult runSeeds(const CriticalCase& criticalCase, TruthSampling sampling, unsigned seeds);
 
 /// Tilted height on the sphere and on the torus, cos 3u cos 2v on the torus; made once.
 const std::vector<CriticalCase>& criticalCases();

@@ -9,30 +9,36 @@
 
 using namespace SurfaceScalars::Truth;
 
-// usage: surface-scalars-critical-truth [reduced] [truth] [stability] [calibration] [starts]
+// usage: surface-scalars-critical-truth [reduced] [truth] [surfaces] [stability] [calibration]
+// [starts]
 //   [meshes FOLDER] [curve FILE.csv]
 // Without names of parts, all that need no data.
 int main(int argumentCount, char** arguments)
 {
   const std::vector<std::string> words(arguments + 1, arguments + argumentCount);
-  const auto has = [&](const char* word)
+  const auto has = [&](const std::string& word)
   { return std::find(words.begin(), words.end(), word) != words.end(); };
-  const auto after = [&](const char* word)
+  const auto after = [&](const std::string& word)
   {
     const auto found = std::find(words.begin(), words.end(), word);
     return found == words.end() || found + 1 == words.end() ? std::string() : *(found + 1);
   };
-  const bool all =
-    !has("truth") && !has("stability") && !has("calibration") && !has("starts") && !has("meshes");
+  const std::vector<std::string> parts{ "truth", "surfaces", "stability", "calibration", "starts",
+    "meshes" };
+  const bool all = std::none_of(parts.begin(), parts.end(), has);
   const bool reduced = has("reduced");
   MarkdownReport report;
   if (all || has("truth"))
   {
     reportTruth(report, reduced);
   }
+  if (all || has("surfaces"))
+  {
+    reportSurfaces(report, reduced);
+  }
   if (all || has("stability"))
   {
-    reportStability(report, reduced);
+    reportStability(report);
   }
   if (all || has("calibration"))
   {

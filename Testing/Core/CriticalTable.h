@@ -13,8 +13,11 @@ namespace SurfaceScalars::Truth
 /// smaller samples
 void reportTruth(MarkdownReport& report, bool reduced);
 
+/// A surface of genus 2, degenerate saddles of a plane, and a surface with a boundary.
+void reportSurfaces(MarkdownReport& report, bool reduced);
+
 /// Whether half as many neighbors again find the same points.
-void reportStability(MarkdownReport& report, bool reduced);
+void reportStability(MarkdownReport& report);
 
 /// Whether index sums are Euler characteristics, and what is found of the critical points of
 /// meshes.

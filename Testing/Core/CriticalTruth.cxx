@@ -28,27 +28,11 @@ double largestError(const Disturbance& noise, int pointCount)
   return !clean ? std::numeric_limits<double>::infinity() : pointCount < 50000 ? 0.15 : 0.05;
 }
 
-CriticalResult runSeeds(const CriticalCase& criticalCase, TruthSampling sampling,
-  const CriticalPointParameters& parameters, unsigned seeds)
-{
-  CriticalResult all;
-  for (sampling.seed = 1; sampling.seed <= seeds; ++sampling.seed)
-  {
-    all.add(runCritical(criticalCase, sampling, parameters));
-  }
-  return all;
-}
-
-std::string ofAll(int count, int all)
-{
-  return std::to_string(count) + " of " + std::to_string(all);
-}
-
 void reportRun(MarkdownReport& report, const CriticalCase& criticalCase, int pointCount,
   const Disturbance& noise, unsigned seeds)
 {
   const TruthSampling sampling{ pointCount, 1, noise.onPoints, noise.onValues };
-  const CriticalResult result = runSeeds(criticalCase, sampling, {}, seeds);
+  const CriticalResult result = runSeeds(criticalCase, sampling, seeds);
   const CriticalScore& score = result.score;
   const bool kept = score.precision() >= noise.precision && score.recall() >= noise.recall &&
     score.errorMaximum <= largestError(noise, pointCount);
@@ -82,7 +66,7 @@ void reportTruth(MarkdownReport& report, bool reduced)
   }
 }
 
-void reportStability(MarkdownReport& report, bool reduced)
+void reportStability(MarkdownReport& report)
 {
   report.head("Half as many neighbors again",
     { "function", "points", "noise", "k", "found", "1.5 k", "found", "the same", "max distance",
@@ -91,7 +75,7 @@ void reportStability(MarkdownReport& report, bool reduced)
   {
     for (const Disturbance& noise : Disturbances)
     {
-      const TruthSampling sampling{ reduced ? 20000 : 50000, 1, noise.onPoints, noise.onValues };
+      const TruthSampling sampling{ 50000, 1, noise.onPoints, noise.onValues };
       const CriticalSamples samples(criticalCase, sampling);
       const NeighborGraph graph(samples.points, NeighborQuery());
       const auto find = [&](int neighborCount)

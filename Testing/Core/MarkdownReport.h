@@ -54,4 +54,9 @@ inline std::string number(const char* format, double value)
   return text;
 }
 
+inline std::string ofAll(int count, int all)
+{
+  return std::to_string(count) + " of " + std::to_string(all);
+}
+
 } // namespace SurfaceScalars::Truth

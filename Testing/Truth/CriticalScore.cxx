@@ -58,6 +58,15 @@ double CriticalScore::rootMeanSquareError() const
   return std::sqrt(this->squaredErrorSum / this->rightCount);
 }
 
+CriticalScore CriticalScore::inUnitsOf(double length) const
+{
+  CriticalScore score = *this;
+  score.errorSum /= length;
+  score.squaredErrorSum /= length * length;
+  score.errorMaximum /= length;
+  return score;
+}
+
 void CriticalScore::add(const CriticalScore& other)
 {
   this->exactCount += other.exactCount;

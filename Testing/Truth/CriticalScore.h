@@ -24,6 +24,7 @@ struct CriticalScore
   double recall() const;    ///< share of the exact points that are found
   double meanError() const;
   double rootMeanSquareError() const;
+  CriticalScore inUnitsOf(double length) const; ///< the same with other errors
   void add(const CriticalScore& other);
 };
 
