@@ -1,5 +1,6 @@
 #include "Clouds.h"
 #include "LevelSets.h"
+#include "PeakMemory.h"
 
 #include "vtkPointSetContour.h"
 
@@ -12,34 +13,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <fstream>
-#include <sstream>
-#include <string>
+#include <algorithm>
+#include <vector>
 
 using namespace SurfaceScalars;
 
 namespace
 {
-
-/// What the kernel counts for this process, in bytes: VmHWM is the largest VmRSS since the last
-/// reset.
-double memoryOf(const std::string& field)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.rfind(field, 0) == 0)
-    {
-      return 1024.0 * std::stod(line.substr(field.size() + 1));
-    }
-  }
-  return 0.0;
-}
-
-void resetPeakMemory()
-{
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
 
 /// Twenty iso-values on a graph that is there already.
 void traceTwentyIsoValues(benchmark::State& state)
@@ -89,10 +69,9 @@ void wholeFilter(benchmark::State& state)
   for (auto _ : state)
   {
     contour->Modified();
-    resetPeakMemory();
-    const double before = memoryOf("VmRSS:");
+    const PeakMemory memory;
     contour->Update();
-    peak = std::max(peak, memoryOf("VmHWM:") - before);
+    peak = std::max(peak, memory.bytes());
   }
   vtkSMPTools::Initialize();
   state.counters["peak bytes/point"] = peak / count;
