@@ -18,7 +18,7 @@ constexpr double Goal = 1e-11;
 constexpr double SmallError = 1e-9; // not worth to begin anew
 constexpr double LargestError = 1e-6;
 
-constexpr int MostSteps = 300; // 30 are usual
+constexpr int MostSteps = 1000; // 30 are usual, slivers of triangles take hundreds
 constexpr int MostStarts = 3;
 
 double largest(const Values& values)
