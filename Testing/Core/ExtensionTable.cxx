@@ -3,12 +3,11 @@
 
 #include "Field.h"
 #include "Functions.h"
+#include "MarkdownReport.h"
 #include "Sampling.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -22,37 +21,7 @@ const SpaceFunction Function = saddleWithLogarithm();
 constexpr int TargetCount = 5000;
 constexpr unsigned TargetSeed = 99;
 
-bool promisesKept = true;
-
-std::string kept(bool promise)
-{
-  promisesKept = promisesKept && promise;
-  return promise ? "yes" : "**no**";
-}
-
-void printRow(const std::vector<std::string>& cells)
-{
-  for (const std::string& cell : cells)
-  {
-    std::printf("| %s ", cell.c_str());
-  }
-  std::printf("|\n");
-  std::fflush(stdout);
-}
-
-void printHead(const char* title, const std::vector<std::string>& columns)
-{
-  std::printf("\n### %s\n\n", title);
-  printRow(columns);
-  printRow(std::vector<std::string>(columns.size(), "---"));
-}
-
-std::string number(const char* format, double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
-}
+MarkdownReport report;
 
 double range(const Values& values)
 {
@@ -132,7 +101,7 @@ void printConvergence()
     head.push_back(std::to_string(count));
   }
   head.insert(head.end(), { "order", "theory", "kept" });
-  printHead("Root mean square error between the samples, as a fraction of f's range", head);
+  report.head("Root mean square error between the samples, as a fraction of f's range", head);
   const Points targets = randomTorus(TargetCount, Torus::Closed, TargetSeed);
   for (const Contestant& contestant : contestants())
   {
@@ -156,16 +125,16 @@ void printConvergence()
       const double order = observedOrder(counts, errors);
       row.insert(row.end(),
         { number("%.1f", order), number("%.0f", contestant.order),
-          kept(order > contestant.order - 0.25) });
+          report.kept(order > contestant.order - 0.25) });
     }
     else
     {
       const double bound = contestant.parameters.hybridThreshold;
       const bool below =
         std::all_of(errors.begin() + 2, errors.end(), [=](double error) { return error <= bound; });
-      row.insert(row.end(), { "", "below " + number("%g", bound), kept(below) });
+      row.insert(row.end(), { "", "below " + number("%g", bound), report.kept(below) });
     }
-    printRow(row);
+    report.row(row);
   }
 }
 
@@ -173,7 +142,7 @@ void printConvergence()
 // noise and lengths have no usable unit, so that here noise is a fraction of the diagonal.
 void printNoisyTorus()
 {
-  printHead("Table 1 of the paper: largest error of (6) at the samples of a noisy torus",
+  report.head("Table 1 of the paper: largest error of (6) at the samples of a noisy torus",
     { "points", "paper", "no noise", "0.1% noise", "0.5% noise", "1% noise",
       "ParameterizedMLS, 1% noise" });
   const std::vector<std::pair<int, double>> paper{ { 50000, 7.36e-2 }, { 90000, 6.65e-2 },
@@ -197,7 +166,7 @@ void printNoisyTorus()
       row.push_back(largest(noise, Scheme::ExplicitMLS));
     }
     row.push_back(largest(0.01, Scheme::ParameterizedMLS));
-    printRow(row);
+    report.row(row);
   }
 }
 
@@ -217,5 +186,5 @@ int main(int argumentCount, char** arguments)
   {
     printNoisyTorus();
   }
-  return promisesKept ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report.exitCode();
 }

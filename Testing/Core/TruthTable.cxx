@@ -1,11 +1,11 @@
 // Prints how right and how accurate the level sets are, as tables in Markdown for Documentation.
 // The exit code tells whether the default scheme keeps its promises.
 
+#include "MarkdownReport.h"
 #include "TruthRun.h"
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -17,23 +17,7 @@ namespace
 
 const std::vector<unsigned> Seeds{ 1, 2, 3 };
 
-bool promisesKept = true;
-
-std::string kept(bool promise)
-{
-  promisesKept = promisesKept && promise;
-  return promise ? "yes" : "**no**";
-}
-
-void heading(const char* title, const char* columns)
-{
-  std::printf("\n### %s\n\n%s\n", title, columns);
-  for (const char* c = columns; *c != '\0'; ++c)
-  {
-    std::putchar(*c == '|' ? '|' : '-');
-  }
-  std::putchar('\n');
-}
+MarkdownReport report;
 
 TruthResult runSeeds(const TruthCase& truthCase, TruthSampling sampling,
   const ContourParameters& parameters, const std::vector<unsigned>& seeds)
@@ -53,24 +37,6 @@ TruthResult runSeeds(const TruthCase& truthCase, TruthSampling sampling,
   return all;
 }
 
-/// The character that separates columns is escaped.
-std::string functionName(const TruthCase& truthCase)
-{
-  std::string name = truthCase.function.name;
-  for (std::size_t i = name.find('|'); i != std::string::npos; i = name.find('|', i + 2))
-  {
-    name.insert(i, 1, '\\');
-  }
-  return name;
-}
-
-std::string threeDigits(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3f", value);
-  return text;
-}
-
 const char* surfaceName(const TruthCase& truthCase)
 {
   return truthCase.torus == Torus::Closed ? "closed" : "cut";
@@ -78,10 +44,9 @@ const char* surfaceName(const TruthCase& truthCase)
 
 void printDefaultScheme()
 {
-  heading("Default scheme, no noise, three seeds (lengths in sampling steps)",
-    "| points | function | torus | right | mean error | max error | exact to curve, max | 2 steps "
-    "inside "
-    "| kept |");
+  report.head("Default scheme, no noise, three seeds (lengths in sampling steps)",
+    { "points", "function", "torus", "right", "mean error", "max error", "exact to curve, max",
+      "2 steps inside", "kept" });
   TruthResult total;
   for (const int pointCount : { 5000, 20000, 100000 })
   {
@@ -92,17 +57,16 @@ void printDefaultScheme()
       const CurveScore& score = result.score;
       const bool accurate = pointCount < 100000 ||
         (score.pointMean() <= 0.01 && score.pointMaximum <= 0.1 && score.exactMaximum <= 0.1);
-      std::printf("| %d | %s | %s | %d of %d | %.5f | %.4f | %.4f | %.4f | %s |\n", pointCount,
-        functionName(truthCase).c_str(), surfaceName(truthCase), result.rightCount,
-        result.isoValueCount, score.pointMean(), score.pointMaximum, score.exactMaximum,
-        score.exactInnerMaximum, kept(accurate).c_str());
-      std::fflush(stdout);
+      report.row({ std::to_string(pointCount), truthCase.function.name, surfaceName(truthCase),
+        ofAll(result.rightCount, result.isoValueCount), number("%.5f", score.pointMean()),
+        number("%.4f", score.pointMaximum), number("%.4f", score.exactMaximum),
+        number("%.4f", score.exactInnerMaximum), report.kept(accurate) });
       total.add(result);
     }
   }
   std::printf("\nRight: %d of %d iso-values (%.2f%%; promised 99%%: %s).\n", total.rightCount,
     total.isoValueCount, 100.0 * total.rightFraction(),
-    kept(total.rightFraction() >= 0.99).c_str());
+    report.kept(total.rightFraction() >= 0.99).c_str());
 }
 
 struct Noise
@@ -114,9 +78,9 @@ struct Noise
 
 void printNoise()
 {
-  heading("Default scheme with noise, 100000 points, three seeds",
-    "| noise | function | torus | k | right | mean error in steps | in standard deviations | kept "
-    "|");
+  report.head("Default scheme with noise, 100000 points, three seeds",
+    { "noise", "function", "torus", "k", "right", "mean error in steps", "in standard deviations",
+      "kept" });
   for (const Noise& noise : { Noise{ "0.5% of the diagonal on the points", 0.005, 0.0 },
          Noise{ "1% of the diagonal on the points", 0.01, 0.0 },
          Noise{ "1% of the range on f", 0.0, 0.01 } })
@@ -130,22 +94,20 @@ void printNoise()
       const bool onPoints = noise.onPoints > 0.0;
       const double relative = onPoints ? mean / result.pointNoiseInSteps : std::nan("");
       const bool small = onPoints ? relative <= 0.3 : mean <= 0.35;
-      std::printf("| %s | %s | %s | %d | %d of %d | %.3f | %s | %s |\n", noise.name,
-        functionName(truthCase).c_str(), surfaceName(truthCase), result.neighborCount,
-        result.rightCount, result.isoValueCount, mean,
-        onPoints ? threeDigits(relative).c_str() : "", kept(small).c_str());
-      std::fflush(stdout);
+      report.row({ noise.name, truthCase.function.name, surfaceName(truthCase),
+        std::to_string(result.neighborCount), ofAll(result.rightCount, result.isoValueCount),
+        number("%.3f", mean), onPoints ? number("%.3f", relative) : "", report.kept(small) });
       total.add(result);
     }
-    std::printf("| %s | all | | | %.1f%% | | | %s |\n", noise.name, 100.0 * total.rightFraction(),
-      kept(total.rightFraction() >= 0.9).c_str());
+    report.row({ noise.name, "all", "", "", number("%.1f%%", 100.0 * total.rightFraction()), "", "",
+      report.kept(total.rightFraction() >= 0.9) });
   }
 }
 
 void printSchemes()
 {
-  heading("Schemes beside each other, no noise, seed 1 (lengths in sampling steps)",
-    "| scheme | surface | points | right | mean error | max error | exact to curve, max |");
+  report.head("Schemes beside each other, no noise, seed 1 (lengths in sampling steps)",
+    { "scheme", "surface", "points", "right", "mean error", "max error", "exact to curve, max" });
   struct Choice
   {
     const char* name;
@@ -175,10 +137,9 @@ void printSchemes()
       {
         total.add(runTruth(truthCase, TruthSampling{ pointCount }, parameters));
       }
-      std::printf("| %s | %s | %d | %d of %d | %.5f | %.4f | %.4f |\n", choice.name,
-        choice.surfaceName, pointCount, total.rightCount, total.isoValueCount,
-        total.score.pointMean(), total.score.pointMaximum, total.score.exactMaximum);
-      std::fflush(stdout);
+      report.row({ choice.name, choice.surfaceName, std::to_string(pointCount),
+        ofAll(total.rightCount, total.isoValueCount), number("%.5f", total.score.pointMean()),
+        number("%.4f", total.score.pointMaximum), number("%.4f", total.score.exactMaximum) });
     }
   }
 }
@@ -203,5 +164,5 @@ int main(int argumentCount, char** arguments)
   {
     printSchemes();
   }
-  return promisesKept ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report.exitCode();
 }
