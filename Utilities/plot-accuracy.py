@@ -1,11 +1,14 @@
 """Plots what Documentation/accuracy-extension.md tabulates, and the errors of the averages (6) on a scan in increasing order.
 
 usage: pvpython plot-accuracy.py ACCURACY-EXTENSION.md CONVERGENCE.png [PLUGIN lion.vtp SORTED-ERRORS.png]
+       python3 plot-accuracy.py CURVE.csv CALIBRATION.png
 
 Needs python3-matplotlib. The first picture comes from the page's table alone. The second repeats Fig. 7 of the point-set
-paper with the distance from a corner of the scan's bounding box as f.
+paper with the distance from a corner of the scan's bounding box as f. The third shows what
+`surface-scalars-critical-truth calibration curve CURVE.csv` wrote: how often CriticalProbability is at most what it states.
 """
 
+import csv
 import sys
 
 import matplotlib
@@ -79,9 +82,40 @@ def plot_sorted(curves, picture):
     figure.savefig(picture, dpi=110)
 
 
+def calibration(table):
+    """{place: {samples: (stated, observed)}} from columns named "function; noise; place"."""
+    with open(table, encoding="utf-8") as lines:
+        rows = list(csv.reader(lines))
+    numbers = numpy.array(rows[1:], dtype=float)
+    curves = {}
+    for column, name in enumerate(rows[0][1:], start=1):
+        samples, place = name.rsplit("; ", 1)
+        curves.setdefault(place, {})[samples] = (numbers[:, 0], numbers[:, column])
+    return curves
+
+
+def plot_calibration(places, picture):
+    figure, all_axes = pyplot.subplots(1, len(places), figsize=(11, 5.2), sharey=True)
+    for axes, (place, curves) in zip(all_axes, places.items()):
+        axes.plot([0, 1], [0, 1], color="gray", linestyle=":", linewidth=1)
+        for index, (samples, curve) in enumerate(curves.items()):
+            half = len(curves) // 2
+            axes.plot(*curve, color=f"C{index % half}", linestyle="-" if index < half else "--", label=samples)
+        axes.set_title(place)
+        axes.set_xlabel("stated probability p")
+        axes.grid(alpha=0.3)
+    all_axes[0].set_ylabel("share of samples with CriticalProbability ≤ p")
+    figure.tight_layout(rect=(0, 0.14, 1, 1))
+    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
+    figure.savefig(picture, dpi=110)
+
+
 def main():
     if len(sys.argv) not in (3, 6):
         sys.exit(__doc__)
+    if sys.argv[1].endswith(".csv"):
+        plot_calibration(calibration(sys.argv[1]), sys.argv[2])
+        return
     plot_convergence(convergence(sys.argv[1]), sys.argv[2])
     if len(sys.argv) == 6:
         plot_sorted(sorted_errors(*sys.argv[3:5]), sys.argv[5])
