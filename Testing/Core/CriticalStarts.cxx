@@ -1,12 +1,10 @@
 #include "CriticalTable.h"
 
 #include "CriticalScore.h"
-#include "Field.h"
+#include "DescentWays.h"
 #include "Functions.h"
 #include "FuzzyCriticalPoints.h"
 #include "Sampling.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +15,6 @@ namespace
 {
 
 constexpr int SampleCount = 2000;
-constexpr int StartCount = 100;
-constexpr double Converged = 1e-10; ///< the design paper's bound on the gradient
 
 /// A function on the square |x|, |y| <= halfWidth, and where its gradient vanishes.
 struct PlanarCase
@@ -65,80 +61,6 @@ struct PlanarSamples
   }
 };
 
-/// Gradient and Hessian of F in the plane.
-struct PlanarField
-{
-  const Field& field;
-  std::unique_ptr<FieldApproximation> approximation;
-
-  explicit PlanarField(const Field& of)
-    : field(of)
-    , approximation(of.approximation())
-  {
-  }
-  FieldJet at(const Vector2d& place) const
-  {
-    const Vector3d local = Vector3d(place.x(), place.y(), 0.0) - this->field.cloud().origin();
-    if (!this->approximation->center(local))
-    {
-      return { 0.0, Vector3d::Constant(std::numeric_limits<double>::infinity()),
-        Eigen::Matrix3d::Zero() };
-    }
-    return this->approximation->jet(local, Derivatives::Hessian);
-  }
-};
-
-/// The way of the iteration from a start.
-struct Way
-{
-  Vector2d end;
-  std::vector<double> gradients; ///< |grad F| at every place of the way
-  bool converged() const { return this->gradients.back() <= Converged; }
-};
-
-/// Levenberg and Marquardt's method for grad F = 0: a trust region around every place.
-Way follow(const PlanarField& field, Vector2d place)
-{
-  FieldJet jet = field.at(place);
-  Way way{ place, { jet.gradient.head<2>().norm() } };
-  double damping = 1e-3;
-  for (int i = 0; i < 200 && !way.converged(); ++i)
-  {
-    const Eigen::Matrix2d hessian = jet.hessian.topLeftCorner<2, 2>();
-    const Eigen::Matrix2d damped =
-      hessian.transpose() * hessian + damping * hessian.squaredNorm() * Eigen::Matrix2d::Identity();
-    const Vector2d trial = place - damped.inverse() * hessian.transpose() * jet.gradient.head<2>();
-    const FieldJet there = field.at(trial);
-    const double gradient = there.gradient.head<2>().norm();
-    if (gradient < way.gradients.back())
-    {
-      place = trial;
-      jet = there;
-      way.gradients.push_back(gradient);
-      damping *= 0.1;
-    }
-    else if ((damping *= 10.0) > 1e12)
-    {
-      break; // F does not vary any more, or jumps here
-    }
-  }
-  way.end = place;
-  return way;
-}
-
-std::vector<Way> followAll(const Field& field, double halfWidth)
-{
-  Random random(7);
-  const PlanarField planar(field);
-  std::vector<Way> ways;
-  for (int i = 0; i < StartCount; ++i)
-  {
-    const double x = random.uniform(-halfWidth, halfWidth);
-    ways.push_back(follow(planar, Vector2d(x, random.uniform(-halfWidth, halfWidth))));
-  }
-  return ways;
-}
-
 struct Contestant
 {
   const char* name;
@@ -172,7 +94,7 @@ void reportWays(
   const PlanarSamples samples(planarCase, noise);
   const Field field = Field::fit(
     samples.points, samples.values, parametersOf(contestant, planarCase.halfWidth, noise));
-  const std::vector<Way> ways = followAll(field, planarCase.halfWidth);
+  const std::vector<Way> ways = followFromRandomStarts(field, planarCase.halfWidth, 100);
   for (const CriticalPoint& exact : planarCase.exact)
   {
     std::vector<Way> near;
@@ -230,7 +152,7 @@ void reportSteps(MarkdownReport& report)
   const PlanarSamples samples(planarCase, 0.1);
   const Field field = Field::fit(
     samples.points, samples.values, parametersOf(Contestants.back(), planarCase.halfWidth, 0.1));
-  std::vector<Way> ways = followAll(field, planarCase.halfWidth);
+  std::vector<Way> ways = followFromRandomStarts(field, planarCase.halfWidth, 100);
   ways.erase(
     std::remove_if(ways.begin(), ways.end(), [](const Way& way) { return !way.converged(); }),
     ways.end());
