@@ -17,12 +17,13 @@ namespace
 {
 
 constexpr int GridSize = 24;
+constexpr Eigen::Index VertexCount = Eigen::Index{ GridSize } * GridSize;
 
 /// The torus as squares of its angles, each cut in two.
 TriangleMesh torusMesh()
 {
   TriangleMesh mesh;
-  mesh.points.resize(3, GridSize * GridSize);
+  mesh.points.resize(3, VertexCount);
   const auto vertex = [](int i, int j) { return i % GridSize * GridSize + j % GridSize; };
   for (int i = 0; i < GridSize; ++i)
   {
@@ -38,7 +39,7 @@ TriangleMesh torusMesh()
 
 Values randomValues(unsigned seed)
 {
-  Values values = Values::Zero(GridSize * GridSize);
+  Values values = Values::Zero(VertexCount);
   addNoise(values, 1.0, seed);
   return values;
 }
