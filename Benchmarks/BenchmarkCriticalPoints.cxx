@@ -1,8 +1,11 @@
 #include "Clouds.h"
+#include "FilterRun.h"
 #include "FuzzyCriticalPoints.h"
 #include "PeakMemory.h"
 
-#include <benchmark/benchmark.h>
+#include "vtkFuzzyCriticalPoints.h"
+
+#include <vtkNew.h>
 
 #include <algorithm>
 
@@ -29,10 +32,14 @@ void criticalPoints(benchmark::State& state)
   state.counters["peak bytes/point"] = peak / count;
 }
 
-BENCHMARK(criticalPoints)
-  ->ArgNames({ "points", "threads" })
-  ->ArgsProduct({ { 100000, 1000000 }, { 1, 2 } })
-  ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+/// The filter from input to output: conversion, graph and critical points.
+void criticalPointsFilter(benchmark::State& state)
+{
+  vtkNew<vtkFuzzyCriticalPoints> filter;
+  runFilter(state, *filter);
+}
+
+BENCHMARK(criticalPoints)->Apply(pointsAndThreads);
+BENCHMARK(criticalPointsFilter)->Apply(pointsAndThreads);
 
 } // namespace
