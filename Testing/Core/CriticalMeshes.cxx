@@ -53,15 +53,21 @@ struct Containment
   int inFuzzySet = 0; ///< a sample within two steps is probably critical
   int sameType = 0;   ///< a critical point of the same type is within three steps
   int foundCount = 0; ///< critical points, with a type
+  int indexSum = 0;   ///< of these
 };
 
 Containment compare(const NeighborGraph& graph, const FuzzyCriticalPoints& found,
   const std::vector<CriticalPoint>& ofMesh, double persistence)
 {
   Containment result;
-  result.foundCount = static_cast<int>(std::count_if(found.points.begin(), found.points.end(),
-    [=](const CriticalPoint& point)
-    { return point.type != CriticalType::Uncertain && point.persistence > persistence; }));
+  for (const CriticalPoint& point : found.points)
+  {
+    if (point.type != CriticalType::Uncertain && point.persistence > persistence)
+    {
+      ++result.foundCount;
+      result.indexSum += indexOf(point);
+    }
+  }
   Neighborhood near;
   for (const CriticalPoint& vertex : ofMesh)
   {
@@ -142,7 +148,7 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
         const Containment result = compare(graph, found, ofMesh, threshold * range);
         row.insert(row.end(),
           { ofAll(result.inFuzzySet, result.meshCount), ofAll(result.sameType, result.meshCount),
-            std::to_string(result.foundCount) });
+            std::to_string(result.foundCount) + ", sum " + std::to_string(result.indexSum) });
       }
       report.row(row);
     }
