@@ -197,19 +197,12 @@ struct Sampled
     {
       this->values[i] = this->function.value(this->graph.points().col(i) + this->graph.origin());
     }
-    for (const Truth::CriticalPoint& exact : criticalPoints(this->function))
+    this->points = criticalPoints(closedTorus(), this->function);
+    for (CriticalPoint& point : this->points)
     {
-      SurfaceScalars::CriticalPoint point;
-      point.position = torusPoint(exact.angles);
       Neighborhood nearest;
       this->graph.nearest(point.position - this->graph.origin(), 1, nearest);
       point.input = this->graph.inputOfPoint(nearest.indices.front());
-      point.value = exact.value;
-      const bool isPeak = this->values[nearest.indices.front()] < exact.value;
-      point.type = exact.index < 0 ? CriticalType::Saddle
-        : isPeak                   ? CriticalType::Maximum
-                                   : CriticalType::Minimum;
-      this->points.push_back(point);
     }
   }
   double range() const { return this->values.maxCoeff() - this->values.minCoeff(); }
@@ -221,20 +214,19 @@ struct Sampled
   SpaceFunction function;
   NeighborGraph graph;
   Values values;
-  std::vector<SurfaceScalars::CriticalPoint> points;
+  std::vector<CriticalPoint> points;
 };
 
-int indexSum(const std::vector<SurfaceScalars::CriticalPoint>& points)
+int indexSum(const std::vector<CriticalPoint>& points)
 {
   return std::accumulate(points.begin(), points.end(), 0,
-    [](int sum, const SurfaceScalars::CriticalPoint& point) { return sum + indexOf(point); });
+    [](int sum, const CriticalPoint& point) { return sum + indexOf(point); });
 }
 
-std::vector<double> persistences(
-  const std::vector<SurfaceScalars::CriticalPoint>& points, CriticalType type)
+std::vector<double> persistences(const std::vector<CriticalPoint>& points, CriticalType type)
 {
   std::vector<double> result;
-  for (const SurfaceScalars::CriticalPoint& point : points)
+  for (const CriticalPoint& point : points)
   {
     if (point.type == type)
     {
@@ -254,7 +246,7 @@ TEST(Persistence, essentialPointsHaveTheRange)
     Sampled torus(tiltedHeight(), count, 1);
     ASSERT_EQ(torus.points.size(), 4u);
     EXPECT_TRUE(torus.assign().empty());
-    for (const SurfaceScalars::CriticalPoint& point : torus.points)
+    for (const CriticalPoint& point : torus.points)
     {
       EXPECT_EQ(point.persistence, torus.range());
     }
@@ -279,7 +271,7 @@ TEST(Persistence, eachSaddleCancelsOneExtremum)
       partners.insert({ pair.extremum, pair.saddle });
     }
     EXPECT_EQ(partners.size(), 44u) << "no point twice";
-    for (const SurfaceScalars::CriticalPoint& point : torus.points)
+    for (const CriticalPoint& point : torus.points)
     {
       const auto i = static_cast<std::size_t>(&point - torus.points.data());
       EXPECT_NEAR(point.persistence, partners.count(i) == 1 ? 1.0 : torus.range(), 1e-9);
@@ -361,13 +353,13 @@ TEST(Persistence, thresholdsAreNested)
 {
   Sampled torus(slantedWaves(), 5000, 4);
   const std::vector<CriticalPair> pairs = torus.assign();
-  std::vector<SurfaceScalars::CriticalPoint> last = torus.points;
+  std::vector<CriticalPoint> last = torus.points;
   for (double threshold = 0.0; threshold < torus.range(); threshold += 0.05)
   {
-    std::vector<SurfaceScalars::CriticalPoint> kept = torus.points;
+    std::vector<CriticalPoint> kept = torus.points;
     removeBelow(kept, pairs, threshold);
     EXPECT_EQ(indexSum(kept), 0) << threshold;
-    for (const SurfaceScalars::CriticalPoint& point : kept)
+    for (const CriticalPoint& point : kept)
     {
       EXPECT_GE(point.persistence, threshold);
       EXPECT_TRUE(std::any_of(last.begin(), last.end(),
@@ -388,7 +380,7 @@ TEST(Persistence, isThatOfTheFunction)
     Sampled other(slantedWaves(), 5000, 5);
     other.values = (factor * other.values).array() + 8.0;
     std::reverse(other.points.begin(), other.points.end());
-    for (SurfaceScalars::CriticalPoint& point : other.points)
+    for (CriticalPoint& point : other.points)
     {
       point.value = factor * point.value + 8.0;
       if (factor < 0.0 && point.type != CriticalType::Saddle)
@@ -433,7 +425,7 @@ TEST(Persistence, spuriousPointsHaveLittle)
 
   const auto addAt = [&](const Vector2d& angles, CriticalType type, double rise)
   {
-    SurfaceScalars::CriticalPoint point;
+    CriticalPoint point;
     point.position = torusPoint(angles);
     Neighborhood nearest;
     spurious.graph.nearest(point.position - spurious.graph.origin(), 1, nearest);
@@ -484,14 +476,14 @@ TEST(Persistence, saddlesJoinComponentsOfTheBoundary)
     const Vector3d p = graph.points().col(i) + graph.origin();
     values[i] = p.x() * p.x() * p.x() - 3.0 * p.x() * p.y() * p.y();
   }
-  SurfaceScalars::CriticalPoint monkey;
+  CriticalPoint monkey;
   monkey.position = Vector3d::Zero();
   monkey.type = CriticalType::Saddle;
   monkey.multiplicity = 2;
   Neighborhood nearest;
   graph.nearest(-graph.origin(), 1, nearest);
   monkey.input = graph.inputOfPoint(nearest.indices.front());
-  std::vector<SurfaceScalars::CriticalPoint> points{ monkey };
+  std::vector<CriticalPoint> points{ monkey };
   EXPECT_TRUE(assignPersistence(points, graph, values).empty());
   EXPECT_NEAR(points[0].persistence, 2.0, 0.15) << "the lesser two of the minima -2, -2, -1";
 }
