@@ -12,7 +12,7 @@ namespace SurfaceScalars
 struct TypedPoint
 {
   RefinedPoint point;
-  CriticalType type;
+  CriticalType type = CriticalType::Uncertain;
   int multiplicity = 1;
   double extent = 0.0; ///< how far places may lie that are parts of it, length
 };

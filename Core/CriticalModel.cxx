@@ -90,7 +90,7 @@ Eigen::Matrix2d CriticalModel::gradientError(const Vector2d& uv)
   {
     return Eigen::Matrix2d::Zero();
   }
-  const Eigen::Matrix2d covariance = this->covariance_.ofGradient(uv);
+  Eigen::Matrix2d error = this->covariance_.ofGradient(uv);
   if (this->finerKnown_ == Known::No)
   {
     const LocalFit& fit = this->fit();
@@ -102,14 +102,17 @@ Eigen::Matrix2d CriticalModel::gradientError(const Vector2d& uv)
   }
   if (this->finerKnown_ == Known::Never)
   {
-    return covariance;
+    return error;
   }
   const Vector2d bias =
     this->finerFit_.valueSlope(uv).gradient - this->fit().valueSlope(uv).gradient;
-  const double noise =
-    std::max(0.0, this->finerCovariance_.ofGradient(uv).trace() - covariance.trace());
+  const double noise = std::max(0.0, this->finerCovariance_.ofGradient(uv).trace() - error.trace());
   const double share = 1.0 - noise / bias.squaredNorm();
-  return share > 0.0 ? Eigen::Matrix2d(covariance + share * bias * bias.transpose()) : covariance;
+  if (share > 0.0)
+  {
+    error += share * bias * bias.transpose();
+  }
+  return error;
 }
 
 double CriticalModel::samplingStep() const

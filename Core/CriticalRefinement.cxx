@@ -35,7 +35,7 @@ struct Arrival
 /// Steps to the critical point of the fit and centers there.
 Arrival iterate(CriticalModel& model, const CriticalCandidate& candidate)
 {
-  const Arrival nowhere{ candidate.place, false };
+  Arrival nowhere{ candidate.place, false };
   Vector3d place = candidate.place;
   for (int i = 0; i < MostCenters; ++i)
   {

@@ -13,17 +13,17 @@ struct RefinedPoint
 {
   Vector3d place;  ///< relative to the cloud of the scale
   Vector3d normal; ///< of the surface
-  double value;
-  double variance;       ///< of the value
-  double reach;          ///< radius of the fit
-  double residual;       ///< norm of the tangential gradient
-  Vector2d curvature;    ///< eigenvalues of the Hessian, ascending
-  Vector2d error;        ///< their standard errors
-  Vector2d significance; ///< ratios of their sizes to their errors, ascending
-  double bend;           ///< how much the Hessian changes within a third of the radius
-  double uncertainty;    ///< of the place: standard error, length
-  bool isSettled = true; ///< the fit centered there is critical there
-  int votes = 1;         ///< candidates that lead there
+  double value = 0.0;
+  double variance = 0.0;    ///< of the value
+  double reach = 0.0;       ///< radius of the fit
+  double residual = 0.0;    ///< norm of the tangential gradient
+  Vector2d curvature;       ///< eigenvalues of the Hessian, ascending
+  Vector2d error;           ///< their standard errors
+  Vector2d significance;    ///< ratios of their sizes to their errors, ascending
+  double bend = 0.0;        ///< how much the Hessian changes within a third of the radius
+  double uncertainty = 0.0; ///< of the place: standard error, length
+  bool isSettled = true;    ///< the fit centered there is critical there
+  int votes = 1;            ///< candidates that lead there
 };
 
 /// @returns none where there are no samples to fit to

@@ -10,8 +10,8 @@ namespace SurfaceScalars
 /// How f~ goes around a place: the signs of f~ less its value there.
 struct RingCount
 {
-  int changes; ///< of sign: 0 for extrema, 2 for regular places, 2 + 2 m for saddles
-  int sign;    ///< of f~ around an extremum
+  int changes = 2; ///< of sign: 0 for extrema, 2 for regular places, 2 + 2 m for saddles
+  int sign = 0;    ///< of f~ around an extremum
 };
 
 /// A circle on the surface around a place.
@@ -19,7 +19,7 @@ struct Ring
 {
   Vector3d center; ///< relative to the cloud of the model
   Vector3d normal; ///< of the surface there
-  double radius;
+  double radius = 0.0;
 };
 
 /// Moves a ring to where f~ changes around it as little to one side as to the other: around a

@@ -35,7 +35,7 @@ public:
   /// Value and gradient of one of the polynomials at a place of the tangent plane.
   struct Slope
   {
-    double value;
+    double value = 0.0;
     Vector2d gradient;
   };
   /// And its Hessian.
