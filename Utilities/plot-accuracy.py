@@ -95,18 +95,22 @@ def calibration(table):
 
 
 def plot_calibration(places, picture):
+    names = [samples.split("; ") for curves in places.values() for samples in curves]
+    style_of = dict(zip(dict.fromkeys(function for function, _ in names), ["-", "--", ":"]))
+    color_of = {noise: f"C{i}" for i, noise in enumerate(dict.fromkeys(noise for _, noise in names))}
     figure, all_axes = pyplot.subplots(1, len(places), figsize=(11, 5.2), sharey=True)
     for axes, (place, curves) in zip(all_axes, places.items()):
         axes.plot([0, 1], [0, 1], color="gray", linestyle=":", linewidth=1)
-        for index, (samples, curve) in enumerate(curves.items()):
-            half = len(curves) // 2
-            axes.plot(*curve, color=f"C{index % half}", linestyle="-" if index < half else "--", label=samples)
+        for samples, curve in curves.items():
+            function, noise = samples.split("; ")
+            style = dict(color=color_of[noise], linestyle=style_of[function])
+            axes.plot(*curve, label=samples, **style)
         axes.set_title(place)
         axes.set_xlabel("stated probability p")
         axes.grid(alpha=0.3)
     all_axes[0].set_ylabel("share of samples with CriticalProbability ≤ p")
     figure.tight_layout(rect=(0, 0.14, 1, 1))
-    figure.legend(*all_axes[0].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
+    figure.legend(*all_axes[-1].get_legend_handles_labels(), loc="lower center", ncol=4, fontsize=8)
     figure.savefig(picture, dpi=110)
 
 

@@ -36,18 +36,16 @@ CriticalCase::CriticalCase(ClosedSurface on, SpaceFunction of)
   this->range = highest->value - lowest->value;
 }
 
-CriticalSamples::CriticalSamples(
-  const CriticalCase& criticalCase, const TruthSampling& sampling, unsigned noiseSeed)
+CriticalSamples::CriticalSamples(const CriticalCase& criticalCase, const TruthSampling& sampling)
   : exactPoints(criticalCase.surface.sample(sampling.pointCount, sampling.seed))
   , points(exactPoints)
   , values(valuesOf(criticalCase.function, exactPoints))
   , samplingStep(NeighborGraph(exactPoints, NeighborQuery()).medianSamplingStep())
 {
-  const unsigned seed = noiseSeed > 0 ? noiseSeed : sampling.seed;
   const Vector3d extent =
     this->exactPoints.rowwise().maxCoeff() - this->exactPoints.rowwise().minCoeff();
-  addNoise(this->points, sampling.pointNoise * extent.norm(), seed + 1000);
-  addNoise(this->values, sampling.valueNoise * criticalCase.range, seed + 2000);
+  addNoise(this->points, sampling.pointNoise * extent.norm(), sampling.seed + 1000);
+  addNoise(this->values, sampling.valueNoise * criticalCase.range, sampling.seed + 2000);
 }
 
 void CriticalResult::add(const CriticalResult& other)

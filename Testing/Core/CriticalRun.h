@@ -30,9 +30,7 @@ struct CriticalSamples
   Values values;
   double samplingStep; ///< of the undisturbed points
 
-  /// The seed of the noise differs from that of the points if `noiseSeed` is given.
-  CriticalSamples(
-    const CriticalCase& criticalCase, const TruthSampling& sampling, unsigned noiseSeed = 0);
+  CriticalSamples(const CriticalCase& criticalCase, const TruthSampling& sampling);
 };
 
 /// What one run found, or several together.
