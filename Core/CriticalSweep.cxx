@@ -13,11 +13,15 @@ namespace
 {
 
 constexpr std::size_t FitsPerBlock = 256; // about
-constexpr double RunShare = 1.0 / 24.0;   // of a neighborhood: most samples in a run
-constexpr std::size_t FewestInRun = 6;    // that are asked for
-constexpr double RunExtent = 0.6;         // of a run, in radii
-constexpr double NoiseExtent = 2.0;       // and in standard deviations of the noise
-constexpr double ServedRadius = 0.75;     // around the center of a fit, in radii
+// Of the sample nearest to a place, in sampling steps: standard deviation along each axis. Where
+// samples are random it is 1 / sqrt(2 pi) = 0.40, for none is within r with probability
+// exp(-pi r^2 / step^2); a little more, so that nearest samples are not missed.
+constexpr double NearestDisplacement = 0.55;
+constexpr double RunShare = 1.0 / 24.0; // of a neighborhood: most samples in a run
+constexpr std::size_t FewestInRun = 6;  // that are asked for
+constexpr double RunExtent = 0.6;       // of a run, in radii
+constexpr double NoiseExtent = 2.0;     // and in standard deviations of the noise
+constexpr double ServedRadius = 0.75;   // around the center of a fit, in radii
 constexpr double CandidateRadius = 0.8;
 constexpr double InnerCandidateRadius = 0.5; // of fits to many neighbors
 constexpr int ManyNeighbors = 60;
@@ -206,16 +210,17 @@ double Sweeper::probability(std::size_t sample, const Vector2d& uv, const LocalF
   {
     return 0.0;
   }
-  const double step = this->graph_.samplingStep(static_cast<Index>(sample));
+  const double displacement =
+    NearestDisplacement * this->graph_.samplingStep(static_cast<Index>(sample));
   const double misfit = this->model_.fit().valueMisfit() / radius;
-  const double largest = step * step * f.hessian.squaredNorm() +
+  const double largest = displacement * displacement * f.hessian.squaredNorm() +
     VarianceBound * misfit * misfit / this->scale_.fitCount();
   if (f.gradient.squaredNorm() > 2.0 * LargestExponent * largest)
   {
     return 0.0;
   }
-  const Eigen::Matrix2d spread =
-    this->model_.gradientError(uv) + step * step * f.hessian * f.hessian.transpose();
+  const Eigen::Matrix2d spread = this->model_.gradientError(uv) +
+    displacement * displacement * f.hessian * f.hessian.transpose();
   const double pi = std::exp(-0.5 * f.gradient.dot(spread.inverse() * f.gradient));
   return std::isfinite(pi) ? pi : 0.0;
 }
