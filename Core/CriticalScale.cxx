@@ -165,26 +165,22 @@ CriticalScale chooseCriticalScale(const NeighborGraph& graph, const Values& valu
   const int finer = std::min(degree + 1, LocalFit::MaximumDegree);
   CriticalScale scale;
   takeSamples(scale, graph, values);
-  scale.size.radius = parameters.searchRadius;
-  const bool isGiven = parameters.neighborCount > 0 || parameters.searchRadius > 0.0;
-  const int given = parameters.neighborCount > 0 ? std::min(parameters.neighborCount, points)
-                                                 : LocalFit::termCount(degree) + 1;
-  if (isGiven)
+  // Large neighborhoods hide noise: what is asked for does not tell whether there is any.
+  const bool isFine = usualCount(finer) * FewestSteps <= points &&
+    tryCount(scale, graph, values, usualCount(finer), finer, execution).isGood();
+  scale.isNoisy = !isFine;
+  if (parameters.neighborCount > 0 || parameters.searchRadius > 0.0)
   {
+    scale.size.radius = parameters.searchRadius;
+    const int given = parameters.neighborCount > 0 ? std::min(parameters.neighborCount, points)
+                                                   : LocalFit::termCount(degree) + 1;
     tryCount(scale, graph, values, given, degree, execution);
+    if (isFine && usualCount(finer) <= scale.neighborCount)
+    {
+      tryCount(scale, graph, values, given, finer, execution);
+    }
   }
-  const int most = isGiven ? scale.neighborCount : points / FewestSteps;
-  if (usualCount(finer) <= most &&
-    tryCount(scale, graph, values, isGiven ? given : usualCount(finer), finer, execution).isGood())
-  {
-    return scale;
-  }
-  scale.isNoisy = true;
-  if (isGiven)
-  {
-    tryCount(scale, graph, values, given, degree, execution);
-  }
-  else
+  else if (!isFine)
   {
     chooseCount(scale, graph, values, degree, execution);
   }
