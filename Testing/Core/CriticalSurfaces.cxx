@@ -31,12 +31,13 @@ void reportDoubleTorus(MarkdownReport& report, bool reduced)
         const CriticalResult result =
           runSeeds(criticalCase, { pointCount, 1, 0.0, noise }, reduced ? 2 : 5);
         const CriticalScore& score = result.score;
-        const bool kept = noise > 0.0 || result.rightIndexSums == result.runCount;
+        const bool isPromised = noise == 0.0 && pointCount >= 50000;
         report.row({ function.name, std::to_string(pointCount), number("%g%%", 100.0 * noise),
           std::to_string(result.neighborCount), std::to_string(criticalCase.exact.size()),
           number("%.3f", score.precision()), number("%.3f", score.recall()),
           number("%.4f", score.meanError()), number("%.3f", score.errorMaximum),
-          ofAll(result.rightIndexSums, result.runCount), report.kept(kept) });
+          ofAll(result.rightIndexSums, result.runCount),
+          isPromised ? report.kept(result.rightIndexSums == result.runCount) : "" });
       }
     }
   }
