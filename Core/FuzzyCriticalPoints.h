@@ -81,8 +81,8 @@ struct FuzzyCriticalPoints
  * on the boundary have a gradient. Plateaus have none, and constant functions.
  *
  * The probability is pi = exp(-g^T S^-1 g / 2), g the gradient at the sample and S its mean square
- * error if the sample were critical but for one sampling step: the covariance and the bias of g,
- * and step^2 H H^T. It is larger than 0.1 at the samples next to nine of ten critical points, as
+ * error if the sample were the one next to a critical point: the covariance and the bias of g, and
+ * (0.55 step)^2 H H^T. It is larger than 0.1 at the samples next to nine of ten critical points, as
  * chi-squared with two degrees of freedom wants, or more. (The paper's |cos| of the angle between
  * grad F and n is 0 at every sample of a surface whose F is constant along its normals, and noise
  * for others; it is offered for an F that is known in space: NormalAngle. F then is that function,
