@@ -19,7 +19,7 @@ namespace
 {
 
 constexpr double ClusterRadius = 0.5;         // in radii of the fits
-constexpr double AutomaticProbability = 0.05; // of the sample next to a critical point, at least
+constexpr double AutomaticProbability = 1e-4; // of the likeliest sample, which is within 2.4 steps
 
 /// The samples that a critical point stands for.
 struct Cluster
