@@ -14,7 +14,7 @@ namespace SurfaceScalars
 struct SaddleArc
 {
   TracedCurve curve; ///< its ends at saddles are their centers
-  BranchId from;
+  BranchId from = {};
   std::optional<BranchId> to;
 };
 
