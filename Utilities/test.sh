@@ -18,6 +18,10 @@ Utilities/install-dependencies.sh
 cache=()
 if command -v ccache >/dev/null; then
   cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  # With paths relative to the build folder the tests, which build Core once more in theirs, find it there.
+  mkdir -p "$build"
+  CCACHE_BASEDIR=$(cd "$build" && pwd)
+  export CCACHE_BASEDIR CCACHE_NOHASHDIR=true
 fi
 cmake --preset release -B "$build" \
   -DSURFACE_SCALARS_WARNINGS_AS_ERRORS=ON -DSURFACE_SCALARS_BUILD_TESTING=ON "${cache[@]}"
