@@ -192,6 +192,19 @@ TEST(Eigenfunctions, areTheSameAgain)
   }
 }
 
+// In another unit of length eigenvalues are those in 1 / length^2, functions those in 1 / length.
+TEST(Eigenfunctions, doNotDependOnTheUnit)
+{
+  const Points points = Truth::randomSphere(2000, 8);
+  const Eigenfunctions expected = laplacianEigenfunctions(localScale(points, 16), 6);
+  for (const double unit : { std::ldexp(1.0, -60), std::ldexp(1.0, 60) })
+  {
+    const Eigenfunctions found = laplacianEigenfunctions(localScale(unit * points, 16), 6);
+    EXPECT_TRUE((found.eigenvalues * unit * unit).isApprox(expected.eigenvalues, 1e-9)) << unit;
+    EXPECT_TRUE((found.functions * unit).isApprox(expected.functions, 1e-4)) << unit;
+  }
+}
+
 TEST(Eigenfunctions, checkTheirInput)
 {
   Laplacian laplacian = localScale(Truth::randomSphere(500, 9), 12);
