@@ -14,7 +14,9 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr std::size_t Grain = 4096; // points between two reports
+constexpr std::size_t Grain = 512; // points in a block of a parallel loop
+constexpr std::size_t MostWays = 1 << 19; // between two reports: where all are neighbors of all, a
+                                          // point has millions
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 using Edge = std::pair<Index, Index>;
@@ -149,6 +151,11 @@ private:
     std::for_each(reverse.begin(), reverse.end(), visit);
   }
 
+  std::size_t neighborCount(Index point) const
+  {
+    return this->graph_.neighbors(point).size() + this->reverse_.of(point).size();
+  }
+
   void offer(Index point, double distance)
   {
     if (distance < this->distances_[point])
@@ -195,6 +202,7 @@ double March::distanceThrough(Index passed, Index point) const
 Values March::run(const Execution& execution)
 {
   const auto count = static_cast<double>(this->graph_.pointCount());
+  std::size_t ways = 0; // since the last report
   for (std::size_t passed = 0; !this->front_.empty();)
   {
     const Index point = this->front_.top().second;
@@ -210,12 +218,15 @@ Values March::run(const Execution& execution)
         if (this->isPassed_[next] == 0)
         {
           this->offer(next, this->distanceThrough(point, next));
+          ways += this->neighborCount(next);
+        }
+        if (ways > MostWays)
+        {
+          execution.report(static_cast<double>(passed) / count);
+          ways = 0;
         }
       });
-    if (++passed % Grain == 0)
-    {
-      execution.report(static_cast<double>(passed) / count);
-    }
+    ++passed;
   }
   execution.report(1.0);
   return std::move(this->distances_);

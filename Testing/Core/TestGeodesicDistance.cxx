@@ -281,5 +281,21 @@ TEST(GeodesicDistance, reportsProgressAndAborts)
   }
 }
 
+// Where all points are neighbors of all, each takes millions of steps: it is reported what is done,
+// not how many points are.
+TEST(GeodesicDistance, reportsProgressOnDenseGraphs)
+{
+  const NeighborGraph graph(randomSphere(400, 12), nearest(399));
+  int reports = 0;
+  const Execution watched{ 1,
+    [&](double fraction)
+    {
+      reports += fraction > 0.1 && fraction < 1.0;
+      return true;
+    } };
+  EXPECT_TRUE(geodesicDistance(graph, { 0 }, watched).allFinite());
+  EXPECT_GT(reports, 20);
+}
+
 } // namespace
 } // namespace SurfaceScalars
