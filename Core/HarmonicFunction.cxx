@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -23,9 +24,9 @@ struct Unknowns
   Values given;              ///< 0 where the value is not given
 };
 
-std::string nameOfVertex(Index vertex, const VertexName& nameOf)
+std::size_t nameOfVertex(Index vertex, const VertexName& nameOf)
 {
-  return std::to_string(nameOf ? nameOf(vertex) : vertex);
+  return nameOf ? nameOf(vertex) : vertex;
 }
 
 Unknowns unknownsOf(Eigen::Index vertexCount, const std::vector<ValueConstraint>& constraints,
@@ -39,7 +40,7 @@ Unknowns unknownsOf(Eigen::Index vertexCount, const std::vector<ValueConstraint>
     require(vertex < vertexCount,
       "constraints at the " + std::to_string(vertexCount) + " vertices, counted from 0",
       std::to_string(vertex), "Choose existing points.");
-    const std::string place = " at point " + nameOfVertex(vertex, nameOf);
+    const std::string place = " at point " + std::to_string(nameOfVertex(vertex, nameOf));
     require(std::isfinite(value), "finite values of constraints", textOf(value) + place,
       "Correct the value.");
     int& unknown = result.ofVertex[vertex];
@@ -75,20 +76,28 @@ void requireConstraintInEachComponent(
       isConstrained[static_cast<std::size_t>(components[vertex])] = 1;
     }
   }
-  const auto free = std::find(isConstrained.begin(), isConstrained.end(), 0);
-  if (free == isConstrained.end())
+  const auto free = std::count(isConstrained.begin(), isConstrained.end(), 0);
+  if (free == 0)
   {
     return;
   }
-  const auto component = static_cast<int>(free - isConstrained.begin());
+  std::size_t first = std::numeric_limits<std::size_t>::max(); // name where no value arrives
+  int component = 0;
+  for (std::size_t vertex = 0; vertex < components.size(); ++vertex)
+  {
+    const std::size_t name = nameOfVertex(static_cast<Index>(vertex), nameOf);
+    if (isConstrained[static_cast<std::size_t>(components[vertex])] == 0 && name < first)
+    {
+      first = name;
+      component = components[vertex];
+    }
+  }
   const auto size = std::count(components.begin(), components.end(), component);
-  const auto first = std::find(components.begin(), components.end(), component);
-  throw InvalidInput(
-    "a constraint in each of the " + std::to_string(count) + " connected components",
-    "none in component " + std::to_string(component + 1) + " (" + std::to_string(size) +
-      (size == 1 ? " point, " : " points, such as ") +
-      nameOfVertex(static_cast<Index>(first - components.begin()), nameOf) + ")",
-    "Constrain a point there, remove the component, or raise the number of neighbors.");
+  throw InvalidInput("a constraint in each of the " + std::to_string(count) +
+      " connected components of the surface",
+    std::to_string(free) + " without one, among them that of point " + std::to_string(first) +
+      " (" + std::to_string(size) + (size == 1 ? " point)" : " points)"),
+    "Constrain a point of each, or raise NeighborCount if the surface is in one piece.");
 }
 
 /// The rows and columns of the unknowns.

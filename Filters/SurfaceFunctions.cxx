@@ -111,43 +111,14 @@ SurfaceFunction geodesic(const PointChoice& choice, FilterRun& run, const Execut
   return result;
 }
 
-/// @throws InvalidInput if a connected component has no constraint, naming it by a point
-void checkComponents(
-  const SurfaceLaplacian& surface, const std::vector<ValueConstraint>& constraints)
-{
-  const std::vector<int> components = connectedComponents(surface.laplacian.stiffness);
-  const int count = 1 + *std::max_element(components.begin(), components.end());
-  std::vector<char> isConstrained(static_cast<std::size_t>(count), 0);
-  for (const ValueConstraint& constraint : constraints)
-  {
-    isConstrained[static_cast<std::size_t>(components[constraint.vertex])] = 1;
-  }
-  const auto free = std::count(isConstrained.begin(), isConstrained.end(), 0);
-  if (free == 0)
-  {
-    return;
-  }
-  const std::vector<Index>& vertices = surface.map.vertexOfPoint;
-  const auto isFree = [&](Index vertex)
-  {
-    return vertex != VertexMap::None &&
-      !isConstrained[static_cast<std::size_t>(components[vertex])];
-  };
-  const auto first = std::find_if(vertices.begin(), vertices.end(), isFree);
-  const auto size = std::count(components.begin(), components.end(), components[*first]);
-  throw InvalidInput(
-    "a constraint in each of the " + std::to_string(count) + " connected components of the surface",
-    std::to_string(free) + " without one, among them that of point " +
-      std::to_string(first - vertices.begin()) + " (" + std::to_string(size) + " points)",
-    "Constrain a point of each, or raise NeighborCount if the surface is in one piece.");
-}
-
 SurfaceFunction harmonic(
   const PointChoice& choice, const SurfaceLaplacian& surface, const Execution& execution)
 {
   const std::vector<ValueConstraint> constraints = chosenConstraints(choice, surface.map);
-  checkComponents(surface, constraints);
-  return { surface.map.atPoints(harmonicFunction(surface.laplacian, constraints, execution)) };
+  const auto idOf = [&surface](Index vertex)
+  { return static_cast<std::size_t>(surface.map.pointOfVertex[vertex]); };
+  return { surface.map.atPoints(
+    harmonicFunction(surface.laplacian, constraints, execution, idOf)) };
 }
 
 SurfaceFunction eigenfunction(
