@@ -8,6 +8,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <new>
 #include <thread>
@@ -69,14 +70,18 @@ FilterRun::FilterRun(vtkAlgorithm& filter, std::string speaker)
 {
 }
 
-// Progress is shown in steps worth an event; an abort is seen at every call.
+// Progress is shown in steps worth an event, and four times a second where it rests: it is in the
+// event that users abort. What they do is seen at every call.
 bool FilterRun::proceed(double fraction)
 {
   constexpr double step = 0.01;
-  if (fraction >= this->shown_ + step)
+  constexpr std::chrono::milliseconds pause(250);
+  const auto now = std::chrono::steady_clock::now();
+  if (fraction >= this->shown_ + step || now >= this->shownAt_ + pause)
   {
-    this->shown_ = fraction;
-    this->filter_.UpdateProgress(fraction);
+    this->shown_ = std::max(this->shown_, fraction);
+    this->shownAt_ = now;
+    this->filter_.UpdateProgress(this->shown_);
   }
   return !shouldAbort(this->filter_, 0);
 }

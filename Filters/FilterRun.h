@@ -2,6 +2,7 @@
 
 #include "Execution.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -46,6 +47,7 @@ private:
   std::string note_;
   double shown_ = 0.0; ///< the progress last shown
   Execution execution_;
+  std::chrono::steady_clock::time_point shownAt_ = std::chrono::steady_clock::now();
 };
 
 /**

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
@@ -172,6 +173,34 @@ TEST(FilterRun, showsProgressThatNeverFalls)
   expectSilentSuccess(update(filter));
   EXPECT_TRUE(std::is_sorted(shown.begin(), shown.end()));
   EXPECT_THAT(shown, ::testing::IsSupersetOf({ 0.1, 0.3, 0.9 }));
+}
+
+// Users abort from within the event of progress: work that cannot say how far it is must let them.
+TEST(FilterRun, canBeAbortedWhereProgressRests)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(
+    [](vtkObject* running, unsigned long, void*, void* fraction)
+    {
+      if (*static_cast<double*>(fraction) == 0.5)
+      {
+        vtkAlgorithm::SafeDownCast(running)->SetAbortExecute(1);
+      }
+    });
+  vtkNew<WorkFilter> filter;
+  filter->Work = [&](FilterRun& run)
+  {
+    run.execution().report(0.5);
+    filter->AddObserver(vtkCommand::ProgressEvent, observer);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (std::chrono::steady_clock::now() < end)
+    {
+      run.execution().report(0.5);
+    }
+    FAIL() << "nobody was asked";
+  };
+  update(filter);
+  expectEmptyOutputs(filter);
 }
 
 TEST(FilterRun, takesAllCoresByDefault)
