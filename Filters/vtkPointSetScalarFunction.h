@@ -13,13 +13,14 @@
  * - DISTANCE_TO_PLANE: W(p) = |<p - b, N>|, the distance from the plane through b = Origin with the
  *   normal N = Normal / |Normal|, the same on both sides.
  *
- * Functions on the surface, which the graph of nearest neighbors or, with some Weights, the
- * triangles of polydata stand for:
+ * Functions on the surface, which the graph of nearest neighbors or, with some Weights but never for
+ * GEODESIC, the triangles of polydata stand for:
  *
  * - GEODESIC: the length of the shortest way along the surface to the nearest source;
  *
  * - HARMONIC: f with Laplacian f = 0 except at constrained points, whose values are given: the
- *   smoothest function between them, with no extrema elsewhere;
+ *   smoothest function between them, with no extrema elsewhere (but with COTANGENT and
+ *   NORMALIZED_COTANGENT, where triangles are obtuse);
  *
  * - LAPLACIAN_EIGENFUNCTION: f with -Laplacian f = lambda f, of the EigenIndex-th eigenvalue lambda
  *   in ascending order, integral of f^2 = 1; field data Eigenvalue holds lambda, 1 / length^2;
