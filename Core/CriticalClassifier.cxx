@@ -99,13 +99,14 @@ std::vector<TypedPoint> CriticalClassifier::byRing(
   {
     return {};
   }
-  const std::optional<RefinedPoint> point = changes > 4
+  std::optional<RefinedPoint> point = changes > 4
     ? describePlace(this->model_, enclosed.ring.center)
     : this->mostCentral(group, enclosed);
   if (!point)
   {
     return {};
   }
+  point->enclosed = {}; // those of a part
   const CriticalType extremum =
     enclosed.count.sign > 0 ? CriticalType::Minimum : CriticalType::Maximum;
   return { { *point, changes == 0 ? extremum : CriticalType::Saddle, std::max(1, changes / 2 - 1),

@@ -1,5 +1,7 @@
 #include "CriticalClusters.h"
 
+#include "CriticalIndex.h"
+
 #include "PointTree.h"
 
 #include <algorithm>
@@ -105,13 +107,14 @@ std::vector<TypedPoint> clusterPoints(
   const std::vector<RefinedPoint>& points, const CriticalScale& scale, const Execution& execution)
 {
   const Trust trust(scale);
-  const std::vector<RefinedPoint> merged = mergeSame(points, trust);
+  std::vector<RefinedPoint> merged = mergeSame(points, trust);
+  encloseByRings(merged, scale, execution.part(0.0, 0.5));
   const SurePoints sure(merged, trust);
   const std::vector<std::vector<std::size_t>> groups = groupsOf(merged, SplitDistance,
     [&](const RefinedPoint& a, const RefinedPoint& b)
     { return !trust.isSure(a) && !trust.isSure(b); });
   std::vector<std::vector<TypedPoint>> typed(groups.size());
-  parallelForEach(groups.size(), execution,
+  parallelForEach(groups.size(), execution.part(0.5, 1.0),
     [&](std::size_t group, const Poll&)
     { typed[group] = CriticalClassifier(merged, sure, trust, scale).classify(groups[group]); });
   std::vector<TypedPoint> result;
@@ -120,6 +123,7 @@ std::vector<TypedPoint> clusterPoints(
     result.insert(result.end(), some.begin(), some.end());
   }
   dropParts(result);
+  settleIndices(result);
   return result;
 }
 

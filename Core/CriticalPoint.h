@@ -34,18 +34,23 @@ struct CriticalPoint
 
 /// The index of Poincare and Hopf: 1 for extrema, -m for saddles, 0 for others. Over a closed
 /// surface they sum to its Euler characteristic.
-constexpr int indexOf(const CriticalPoint& point)
+constexpr int indexOf(CriticalType type, int multiplicity)
 {
-  switch (point.type)
+  switch (type)
   {
     case CriticalType::Minimum:
     case CriticalType::Maximum:
       return 1;
     case CriticalType::Saddle:
-      return -point.multiplicity;
+      return -multiplicity;
     default:
       return 0;
   }
+}
+
+constexpr int indexOf(const CriticalPoint& point)
+{
+  return indexOf(point.type, point.multiplicity);
 }
 
 } // namespace SurfaceScalars

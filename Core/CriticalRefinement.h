@@ -2,11 +2,15 @@
 
 #include "CriticalSweep.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace SurfaceScalars
 {
+
+/// The sums of the indices of critical points within rings around a place, the smallest first.
+using EnclosedIndices = std::array<std::optional<int>, 4>;
 
 /// A place where the gradient of f~ vanishes, as seen by the fit centered there.
 struct RefinedPoint
@@ -24,6 +28,7 @@ struct RefinedPoint
   double uncertainty = 0.0; ///< of the place: standard error, length
   bool isSettled = true;    ///< the fit centered there is critical there
   int votes = 1;            ///< candidates that lead there
+  EnclosedIndices enclosed; ///< by rings around it, where they were counted
 };
 
 /// @returns none where there are no samples to fit to

@@ -12,6 +12,9 @@ namespace
 {
 
 constexpr int Places = 48; // on a ring: four in a sector of a fivefold saddle
+constexpr int WindingPlaces = 16;
+constexpr double LargestTurn = 0.35 * Pi; // of the gradient between places
+constexpr double SmallestStep = 2.0 * Pi / (32.0 * WindingPlaces);
 constexpr int CenteringPlaces = 16;
 constexpr int Centerings = 12;
 constexpr double LargestMove = 0.5; // of a ring, in its radii
@@ -93,6 +96,19 @@ std::optional<RingCount> countChanges(const std::vector<int>& signs)
   return count;
 }
 
+/// The direction of the gradient at a place of a ring, seen along the ring's normal.
+std::optional<double> gradientAngle(CriticalModel& model, const Ring& ring, double angle)
+{
+  if (!centerOnSurface(model, placeOn(ring, angle)))
+  {
+    return {};
+  }
+  const Vector3d gradient = model.fit().tangentialGradient(
+    model.jet(Vector2d::Zero()).gradient, model.fit().heightSlope(Vector2d::Zero()).gradient);
+  const Vector3d u = ring.normal.unitOrthogonal();
+  return std::atan2(gradient.dot(ring.normal.cross(u)), gradient.dot(u));
+}
+
 } // namespace
 
 bool centerRing(CriticalModel& model, Ring& ring)
@@ -136,6 +152,32 @@ bool centerRing(CriticalModel& model, Ring& ring)
     }
   }
   return false;
+}
+
+std::optional<int> indexWithin(CriticalModel& model, const Ring& ring)
+{
+  double turn = 0.0;
+  double angle = 0.0;
+  double step = 2.0 * Pi / WindingPlaces;
+  std::optional<double> last = gradientAngle(model, ring, angle);
+  while (last && angle < 2.0 * Pi - 0.5 * step)
+  {
+    const std::optional<double> next = gradientAngle(model, ring, angle + step);
+    const double change = next ? std::remainder(*next - *last, 2.0 * Pi) : 0.0;
+    if (std::abs(change) > LargestTurn)
+    {
+      step *= 0.5;
+      if (step < SmallestStep)
+      {
+        return {};
+      }
+      continue;
+    }
+    turn += change;
+    angle += step;
+    last = next;
+  }
+  return last ? std::optional<int>(static_cast<int>(std::lround(turn / (2.0 * Pi)))) : std::nullopt;
 }
 
 std::optional<RingCount> countAround(CriticalModel& model, const Ring& ring)

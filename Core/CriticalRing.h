@@ -34,4 +34,12 @@ bool centerRing(CriticalModel& model, Ring& ring);
  */
 std::optional<RingCount> countAround(CriticalModel& model, const Ring& ring);
 
+/**
+ * The turns of the gradient along a ring: the sum of the indices of all critical points within
+ * (Poincare and Hopf).
+ *
+ * @returns none where the surface ends, or the gradient nearly vanishes on the ring
+ */
+std::optional<int> indexWithin(CriticalModel& model, const Ring& ring);
+
 } // namespace SurfaceScalars

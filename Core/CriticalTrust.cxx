@@ -1,6 +1,7 @@
 #include "CriticalTrust.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace SurfaceScalars
 {
@@ -41,25 +42,40 @@ Trust::Trust(const CriticalScale& scale)
 {
 }
 
+std::optional<int> clearIndex(const RefinedPoint& point)
+{
+  const auto& [own, near, far, outer] = point.enclosed;
+  const bool isSimple = own && std::abs(*own) == 1;
+  // Of a degenerate point; the more multiple, the farther its parts.
+  const bool isPart = std::abs(far.value_or(0)) > 1 || std::abs(outer.value_or(0)) > 2;
+  return isSimple && !isPart && (near ? near : far) == own ? own : std::nullopt;
+}
+
 CriticalType typeOf(const RefinedPoint& point)
 {
-  if (point.curvature[0] * point.curvature[1] < 0.0)
+  const std::optional<int> index = clearIndex(point);
+  if (index ? *index < 0 : point.curvature[0] * point.curvature[1] < 0.0)
   {
     return CriticalType::Saddle;
   }
-  return point.curvature[0] > 0.0 ? CriticalType::Minimum : CriticalType::Maximum;
+  return point.curvature.sum() > 0.0 ? CriticalType::Minimum : CriticalType::Maximum;
 }
 
 bool Trust::isSure(const RefinedPoint& point) const
 {
+  if (clearIndex(point))
+  {
+    return this->isLikely(point);
+  }
   return point.isSettled && this->strength(point) >= (this->isNoisy_ ? TrustedInNoise : Trusted) &&
     point.curvature.cwiseAbs().minCoeff() >= point.bend;
 }
 
 bool Trust::isLikely(const RefinedPoint& point) const
 {
+  const bool needsLittle = this->isNoisy_ || clearIndex(point);
   return point.isSettled && this->isSeen(point) &&
-    this->strength(point) >= (this->isNoisy_ ? SignificantInNoise : Significant);
+    this->strength(point) >= (needsLittle ? SignificantInNoise : Significant);
 }
 
 bool Trust::isCurved(const RefinedPoint& point) const

@@ -8,7 +8,10 @@
 namespace SurfaceScalars
 {
 
-/// What the eigenvalues of the Hessian say.
+/// 1 or -1 where small rings around a point agree on it, and a large one does not enclose more.
+std::optional<int> clearIndex(const RefinedPoint& point);
+
+/// What the gradient around says where that is clear, else the eigenvalues of the Hessian.
 CriticalType typeOf(const RefinedPoint& point);
 
 /// How much is to be seen of a point for its type to be believed.
@@ -17,7 +20,7 @@ class Trust
 public:
   explicit Trust(const CriticalScale& scale);
 
-  /// Whether the Hessian tells the type for sure.
+  /// Whether the Hessian, or the gradient around, tells the type for sure.
   bool isSure(const RefinedPoint& point) const;
   /// Whether it tells the type, if nothing else does.
   bool isLikely(const RefinedPoint& point) const;

@@ -69,8 +69,12 @@ struct FuzzyCriticalPoints
  *
  * (the paper's (15) asks for <grad F, n> = 0, which is the opposite, and has one equation too few).
  *
- * Types come from the eigenvalues of the Hessian on the surface where they are larger than their
- * standard errors allow for by chance. Elsewhere, as at a monkey saddle, whose Hessian is zero, f~
+ * Types come from the turns of the gradient of f~ on small circles around, 1 or -1, where circles
+ * of several sizes agree (Poincare and Hopf), or else from the eigenvalues of the Hessian on the
+ * surface where they are larger than their standard errors allow for by chance. Places around which
+ * the gradient does not turn are regular, and a point is left out if a circle of the size of the
+ * fits tells that it is half of a pair too close for both to be found: index sums are those of what
+ * can be resolved. Elsewhere, as at a monkey saddle, whose Hessian is zero, f~
  * is followed on circles around: with 2 + 2m changes of sign against its value in the middle it is
  * a saddle of multiplicity m, with none an extremum, with two regular. Where noise, or a ridge,
  * hides the signs too the point is Uncertain: one for each run of a ridge.
