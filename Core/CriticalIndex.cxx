@@ -14,6 +14,7 @@ namespace
 
 constexpr std::array<double, 4> RingRadii{ 0.15, 0.35, 0.7, 1.4 }; // in those of the fits
 constexpr std::size_t PairRing = 2; // closer together, points may not be told apart
+constexpr double RingWidth = 0.2;   // of its radius: points there may be in or out
 
 int indexOf(const TypedPoint& point)
 {
@@ -50,18 +51,22 @@ bool isHalf(const TypedPoint& point, const std::vector<TypedPoint>& points, cons
   {
     return false;
   }
+  const double radius = RingRadii[PairRing] * point.point.reach;
   Neighborhood near;
-  tree.within(point.point.place, RingRadii[PairRing] * point.point.reach, near);
+  tree.within(point.point.place, (1.0 + RingWidth) * radius, near);
   int found = 0;
   for (const Index i : near.indices)
   {
     const TypedPoint& other = points[i];
-    found += indexOf(other);
-    if (indexOf(other) == indexOf(point) &&
-      other.point.significance[0] < point.point.significance[0])
+    const bool isOnRing =
+      (other.point.place - point.point.place).norm() >= (1.0 - RingWidth) * radius;
+    const bool isWorse =
+      indexOf(other) == indexOf(point) && other.point.significance[0] < point.point.significance[0];
+    if (isOnRing || isWorse)
     {
       return false;
     }
+    found += indexOf(other);
   }
   return found - *enclosed == indexOf(point);
 }

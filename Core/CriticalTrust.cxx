@@ -73,9 +73,14 @@ bool Trust::isSure(const RefinedPoint& point) const
 
 bool Trust::isLikely(const RefinedPoint& point) const
 {
-  const bool needsLittle = this->isNoisy_ || clearIndex(point);
-  return point.isSettled && this->isSeen(point) &&
-    this->strength(point) >= (needsLittle ? SignificantInNoise : Significant);
+  const std::optional<int> index = clearIndex(point);
+  const bool isUnanimous = index &&
+    std::all_of(point.enclosed.begin(), point.enclosed.end(),
+      [&](const std::optional<int>& enclosed) { return enclosed == index; });
+  const double least = isUnanimous ? 0.0
+    : this->isNoisy_ || index      ? SignificantInNoise
+                                   : Significant;
+  return point.isSettled && this->isSeen(point) && this->strength(point) >= least;
 }
 
 bool Trust::isCurved(const RefinedPoint& point) const
