@@ -22,6 +22,7 @@ namespace
 using Filter = vtkPointSetScalarFunction;
 
 constexpr int UsualNeighborCount = 16;
+constexpr vtkIdType LastEigenIndex = 299; // all up to it are found at once, in time and memory
 
 // The shares of the whole that end with the graph or mesh and with the Laplacian.
 constexpr double SurfaceShare = 0.2;
@@ -125,7 +126,8 @@ SurfaceFunction eigenfunction(
   const PointChoice& choice, const SurfaceLaplacian& surface, const Execution& execution)
 {
   const int index = choice.filter.GetEigenIndex();
-  const auto last = static_cast<vtkIdType>(surface.map.pointOfVertex.size()) - 2;
+  const auto last =
+    std::min(LastEigenIndex, static_cast<vtkIdType>(surface.map.pointOfVertex.size()) - 2);
   require(index >= 0 && index <= last, "an EigenIndex from 0 to " + std::to_string(last),
     std::to_string(index), "0 is the constant function.");
   const Eigenfunctions found = laplacianEigenfunctions(surface.laplacian, index + 1, execution);

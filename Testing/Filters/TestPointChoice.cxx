@@ -284,9 +284,9 @@ TEST(SurfaceFunctionRefusal, eigenIndexOutOfRange)
 {
   const auto filter = functionOn(sphere(), Filter::LAPLACIAN_EIGENFUNCTION);
   filter->SetEigenIndex(499);
-  expectFunctionRefusal(filter, { "needs an EigenIndex from 0 to 498, found 499." });
+  expectFunctionRefusal(filter, { "needs an EigenIndex from 0 to 299, found 499." });
   filter->SetEigenIndex(-1);
-  expectFunctionRefusal(filter, { "needs an EigenIndex from 0 to 498, found -1." });
+  expectFunctionRefusal(filter, { "needs an EigenIndex from 0 to 299, found -1." });
 }
 
 TEST(SurfaceFunctionRefusal, weightsOfTrianglesWithoutTriangles)

@@ -103,7 +103,7 @@ class TestErrors(unittest.TestCase):
         self.expect_function_refused("(2)", "found 1", Function="Harmonic", ConstraintIds=[1, 2], ConstraintValues=[0])
 
     def test_functions_out_of_range(self):
-        self.expect_function_refused("from 0 to 498", "999", Function="LaplacianEigenfunction", EigenIndex=999)
+        self.expect_function_refused("from 0 to 299", "999", Function="LaplacianEigenfunction", EigenIndex=999)
         self.expect_function_refused("triangles", Function="LaplacianEigenfunction", Weights="Cotangent")
 
     def test_critical_points_without_array(self):
