@@ -52,8 +52,9 @@ private:
   ComponentMeans constants_;
 };
 
-/// What Spectra iterates: s R (S + s M)^-1 R. Its eigenvalues are s / (lambda + s), from 0 to 1 in any
-/// unit of length: Spectra takes what is below 1e-11 for converged.
+/// What Spectra iterates: c R (S + s M)^-1 R with c so large that all eigenvalues, c / (lambda +
+/// s), are of the order of 1 or above in any unit of length: Spectra takes what is below 1e-11 for
+/// converged.
 class ShiftedInverse
 {
 public:
@@ -63,7 +64,7 @@ public:
     const Laplacian& laplacian, const Complement& complement, const Execution& execution)
     : complement_(complement)
     , execution_(execution.part(0.4, 1.0))
-    , shift_(RelativeShift / laplacian.mass.sum())
+    , scale_(laplacian.stiffness.diagonal().cwiseQuotient(laplacian.mass).maxCoeff())
     , cholesky_(shifted(laplacian), execution.part(0.0, 0.4))
   {
   }
@@ -77,22 +78,22 @@ public:
     const Values& roots = this->complement_.roots();
     const Values function = this->complement_.project(Eigen::Map<const Values>(in, this->rows()));
     Eigen::Map<Values>(out, this->rows()) = this->complement_.project(
-      roots.cwiseProduct(this->cholesky_.solve(this->shift_ * roots.cwiseProduct(function))));
+      roots.cwiseProduct(this->cholesky_.solve(this->scale_ * roots.cwiseProduct(function))));
     ++this->solutions_;
     this->execution_.report(this->solutions_ / (this->solutions_ + 40.0)); // some 60 are usual
   }
 
 private:
-  std::shared_ptr<const Eigen::SparseMatrix<double>> shifted(const Laplacian& laplacian) const
+  static std::shared_ptr<const Eigen::SparseMatrix<double>> shifted(const Laplacian& laplacian)
   {
     auto result = std::make_shared<Eigen::SparseMatrix<double>>(laplacian.stiffness);
-    result->diagonal() += this->shift_ * laplacian.mass;
+    result->diagonal() += (RelativeShift / laplacian.mass.sum()) * laplacian.mass;
     return result;
   }
 
   const Complement& complement_;
   Execution execution_;
-  double shift_;
+  double scale_;
   SparseCholesky cholesky_;
   mutable double solutions_ = 0.0;
 };

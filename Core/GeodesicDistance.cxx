@@ -15,8 +15,8 @@ namespace
 {
 
 constexpr std::size_t Grain = 512; // points in a block of a parallel loop
-constexpr std::size_t MostWays = 1 << 19; // between two reports: where all are neighbors of all, a
-                                          // point has millions
+// Between two reports. Where all points are neighbors of all, each takes millions.
+constexpr std::size_t MostWays = 1 << 19;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 using Edge = std::pair<Index, Index>;

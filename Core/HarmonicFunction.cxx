@@ -93,8 +93,8 @@ void requireConstraintInEachComponent(
     }
   }
   const auto size = std::count(components.begin(), components.end(), component);
-  throw InvalidInput("a constraint in each of the " + std::to_string(count) +
-      " connected components of the surface",
+  throw InvalidInput(
+    "a constraint in each of the " + std::to_string(count) + " connected components of the surface",
     std::to_string(free) + " without one, among them that of point " + std::to_string(first) +
       " (" + std::to_string(size) + (size == 1 ? " point)" : " points)"),
     "Constrain a point of each, or raise NeighborCount if the surface is in one piece.");

@@ -13,8 +13,8 @@
  * - DISTANCE_TO_PLANE: W(p) = |<p - b, N>|, the distance from the plane through b = Origin with the
  *   normal N = Normal / |Normal|, the same on both sides.
  *
- * Functions on the surface, which the graph of nearest neighbors or, with some Weights but never for
- * GEODESIC, the triangles of polydata stand for:
+ * Functions on the surface, which the graph of nearest neighbors or, with some Weights but never
+ * for GEODESIC, the triangles of polydata stand for:
  *
  * - GEODESIC: the length of the shortest way along the surface to the nearest source;
  *

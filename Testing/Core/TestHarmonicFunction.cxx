@@ -290,8 +290,8 @@ TEST(HarmonicFunction, refusesUnusableConstraints)
   {
     ++other;
   }
-  const std::string sentence = "1 without one, among them that of point " +
-    std::to_string(other) + (isLeft ? " (200 points)" : " (400 points)");
+  const std::string sentence = "1 without one, among them that of point " + std::to_string(other) +
+    (isLeft ? " (200 points)" : " (400 points)");
   EXPECT_EQ(has(refusalOf(laplacian, { { 0, 1.0 } }), sentence), "");
 }
 
