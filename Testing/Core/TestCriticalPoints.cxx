@@ -1,4 +1,6 @@
 #include "CriticalCases.h"
+#include "Functions.h"
+#include "Surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +27,24 @@ TEST(CriticalPoints, areThoseOfTheFunction)
       EXPECT_LT((point->position - exact.position).norm(), 0.15 * found.graph.medianSamplingStep());
       EXPECT_NEAR(point->value, exact.value, 5e-3);
       EXPECT_LT(point->residual, 1e-5);
+    }
+  }
+}
+
+// The indices of all critical points of a closed surface sum to its Euler characteristic (Poincare
+// and Hopf), here of genus 0 to 3.
+TEST(CriticalPoints, sumToTheEulerCharacteristic)
+{
+  for (const ClosedSurface& surface : { unitSphere(), closedTorus(), doubleTorus(), tripleTorus() })
+  {
+    const Points points = surface.sample(40000, 1);
+    const NeighborGraph graph(points, NeighborQuery());
+    for (const SpaceFunction& function : { tiltedHeight(), saddleWithLogarithm() })
+    {
+      SCOPED_TRACE(function.name + " on " + surface.name);
+      const Values values = valuesOf(function, points);
+      const FuzzyCriticalPoints found = findCriticalPoints(graph, graph.average(values), {});
+      EXPECT_EQ(found.indexSum, surface.eulerCharacteristic);
     }
   }
 }

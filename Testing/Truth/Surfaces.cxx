@@ -62,6 +62,25 @@ SpaceFunction tubeAroundEight()
   return { "tube around a figure eight", value, gradient };
 }
 
+/// y^2 = 4 (1 - s) (s - 1/4)^2 with s = x^2 / 2.5 runs around three loops.
+SpaceFunction tubeAroundThreeLoops()
+{
+  const auto planar = [](const Vector3d& p)
+  {
+    const double square = p.x() * p.x() / 2.5;
+    return p.y() * p.y() - 4.0 * (1.0 - square) * (square - 0.25) * (square - 0.25);
+  };
+  const auto value = [=](const Vector3d& p)
+  { return planar(p) * planar(p) + p.z() * p.z() - 0.16 * 0.16; };
+  const auto gradient = [=](const Vector3d& p) -> Vector3d
+  {
+    const double square = p.x() * p.x() / 2.5;
+    const double alongX = -3.2 * p.x() * (square - 0.25) * (2.0 * (1.0 - square) - (square - 0.25));
+    return 2.0 * (planar(p) * Vector3d(alongX, 2.0 * p.y(), 0.0) + p.z() * Vector3d::UnitZ());
+  };
+  return { "tube around three loops", value, gradient };
+}
+
 } // namespace
 
 ClosedSurface unitSphere()
@@ -84,6 +103,14 @@ ClosedSurface doubleTorus()
   return { "double torus", tubeAroundEight(),
     [](int count, unsigned seed) { return randomCrossings(tubeAroundEight(), 1.3, count, seed); },
     -2 };
+}
+
+ClosedSurface tripleTorus()
+{
+  return { "triple torus", tubeAroundThreeLoops(),
+    [](int count, unsigned seed)
+    { return randomCrossings(tubeAroundThreeLoops(), 1.8, count, seed); },
+    -4 };
 }
 
 Points randomCrossings(const SpaceFunction& implicit, double radius, int count, unsigned seed)

@@ -23,6 +23,10 @@ ClosedSurface closedTorus();
 /// (x^4 - x^2 + y^2)^2 + z^2 = 0.15^2: a tube around a figure eight, of genus 2.
 ClosedSurface doubleTorus();
 
+/// (y^2 - 4 (1 - s) (s - 1/4)^2)^2 + z^2 = 0.16^2 with s = x^2 / 2.5: a tube around three loops, of
+/// genus 3.
+ClosedSurface tripleTorus();
+
 /**
  * Points of {g = 0}, uniform by area: where isotropic random lines meet it (Crofton).
  *
