@@ -202,8 +202,8 @@ public:
 
   ///@{
   /**
-   * Which eigenfunction, by ascending eigenvalue, at most 299; 0 is constant on a connected surface.
-   * Default: 1.
+   * Which eigenfunction, by ascending eigenvalue, at most 299; 0 is constant on a connected
+   * surface. Default: 1.
    */
   vtkSetMacro(EigenIndex, int);
   vtkGetMacro(EigenIndex, int);
