@@ -24,6 +24,7 @@ std::vector<TracedCurve> traceArcs(
   std::vector<SaddleArc> arcs;
   std::vector<SaddleArc> lost;
   std::vector<std::vector<bool>> isTaken;
+  isTaken.reserve(fans.size());
   for (const SaddleFan& fan : fans)
   {
     isTaken.emplace_back(fan.branches.size(), false);

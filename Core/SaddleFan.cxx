@@ -251,7 +251,7 @@ std::optional<SaddleFan> SaddleFinder::find(const Saddle& candidate, const Stati
   for (const double radius : Radii)
   {
     const std::optional<Ring> ring = this->clearRing(radius * nearby.step);
-    const std::optional<SaddleFan> fan =
+    std::optional<SaddleFan> fan =
       ring && ring->angles.size() == branchCount && error <= LargestError * ring->amplitude
       ? this->fanOf(this->center_, *ring, nearby)
       : std::nullopt;
