@@ -1,7 +1,7 @@
 #include "CriticalClusters.h"
 
 #include "CriticalIndex.h"
-
+#include "Places.h"
 #include "PointTree.h"
 
 #include <algorithm>
@@ -23,11 +23,7 @@ template <class Linked>
 std::vector<std::vector<std::size_t>> groupsOf(
   const std::vector<RefinedPoint>& points, double distance, const Linked& linked)
 {
-  Points places(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    places.col(static_cast<Eigen::Index>(i)) = points[i].place;
-  }
+  const Points places = placesOf(points, [](const RefinedPoint& point) { return point.place; });
   const PointTree tree(places);
   std::vector<char> taken(points.size(), 0);
   std::vector<std::vector<std::size_t>> groups;

@@ -1,5 +1,6 @@
 #include "CriticalIndex.h"
 
+#include "Places.h"
 #include "PointTree.h"
 
 #include <array>
@@ -30,16 +31,6 @@ CriticalType settledType(const TypedPoint& point)
     return CriticalType::Regular;
   }
   return !own || *own == indexOf(point) ? point.type : CriticalType::Uncertain;
-}
-
-Points placesOf(const std::vector<TypedPoint>& points)
-{
-  Points places(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    places.col(static_cast<Eigen::Index>(i)) = points[i].point.place;
-  }
-  return places;
 }
 
 /// Whether a ring around a point encloses less than was found there: its partner is
@@ -95,7 +86,7 @@ void settleIndices(std::vector<TypedPoint>& points)
   {
     point.type = settledType(point);
   }
-  const Points places = placesOf(points);
+  const Points places = placesOf(points, [](const TypedPoint& typed) { return typed.point.place; });
   const PointTree tree(places);
   std::vector<TypedPoint> kept;
   for (const TypedPoint& point : points)

@@ -1,5 +1,6 @@
 #include "CriticalRefinement.h"
 
+#include "Places.h"
 #include "PointTree.h"
 
 #include <Eigen/Eigenvalues>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -88,13 +90,10 @@ struct Nominee
 /// Those that their fits see closest to their centers; in the order of the candidates.
 std::vector<Nominee> nominate(const std::vector<CriticalCandidate>& candidates)
 {
-  Points places(3, static_cast<Eigen::Index>(candidates.size()));
+  const Points places =
+    placesOf(candidates, [](const CriticalCandidate& candidate) { return candidate.place; });
   std::vector<std::size_t> order(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-  {
-    places.col(static_cast<Eigen::Index>(i)) = candidates[i].place;
-    order[i] = i;
-  }
+  std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b)
     {
@@ -157,14 +156,13 @@ std::optional<RefinedPoint> describePlace(CriticalModel& model, const Vector3d& 
   point.place = model.fit().lift(Vector2d::Zero());
   point.normal = model.fit().normal(Vector2d::Zero());
   point.value = f.value;
-  point.variance = covariance->ofValue(Vector2d::Zero());
   point.reach = model.radius();
   const Vector2d slope = model.fit().heightSlope(Vector2d::Zero()).gradient;
   point.residual = model.fit().tangentialGradient(f.gradient, slope).norm();
   point.curvature = axes.eigenvalues();
-  point.error = eigenvalueErrors(axes.eigenvectors(), covariance->ofHessianAtCenter());
+  const Vector2d errors = eigenvalueErrors(axes.eigenvectors(), covariance->ofHessianAtCenter());
   const double rounding = 1e-13 / (point.reach * point.reach);
-  point.significance = point.curvature.cwiseAbs().array() / (point.error.array() + rounding);
+  point.significance = point.curvature.cwiseAbs().array() / (errors.array() + rounding);
   if (point.significance[0] > point.significance[1])
   {
     std::swap(point.significance[0], point.significance[1]);

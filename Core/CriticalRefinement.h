@@ -18,12 +18,10 @@ struct RefinedPoint
   Vector3d place;  ///< relative to the cloud of the scale
   Vector3d normal; ///< of the surface
   double value = 0.0;
-  double variance = 0.0;    ///< of the value
   double reach = 0.0;       ///< radius of the fit
   double residual = 0.0;    ///< norm of the tangential gradient
   Vector2d curvature;       ///< eigenvalues of the Hessian, ascending
-  Vector2d error;           ///< their standard errors
-  Vector2d significance;    ///< ratios of their sizes to their errors, ascending
+  Vector2d significance;    ///< ratios of their sizes to their standard errors, ascending
   double bend = 0.0;        ///< how much the Hessian changes within a third of the radius
   double uncertainty = 0.0; ///< of the place: standard error, length
   bool isSettled = true;    ///< the fit centered there is critical there

@@ -46,7 +46,7 @@ Survey survey(const CriticalScale& scale, const Execution& execution)
       FitCovariance covariance;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto site = static_cast<Eigen::Index>((2 * i + 1) * points / (2 * sites));
+        const auto site = static_cast<Eigen::Index>(siteOf(i, sites, points));
         if (!near.center(scale.cloud->points().col(site)) ||
           !covariance.compute(near.fit(), near.weightedSamples()))
         {

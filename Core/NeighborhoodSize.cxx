@@ -21,12 +21,6 @@ constexpr double VarianceShare =
 constexpr double BiasShare =
   0.1; // of the misfit in the bias at the center, squared: odd terms cancel there
 
-/// Spread evenly over the points.
-Index siteOf(std::size_t site, std::size_t sites, std::size_t points)
-{
-  return static_cast<Index>((2 * site + 1) * points / (2 * sites));
-}
-
 /// What fits of one size leave over, medians over the sites. Lengths.
 struct Misfit
 {
@@ -76,8 +70,8 @@ Misfit measure(
       WeightedSamples samples;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const bool fitted =
-          fitAt(cloud, values, siteOf(i, sites, points), count, degree, fit, samples, widths[i]);
+        const bool fitted = fitAt(cloud, values, static_cast<Index>(siteOf(i, sites, points)),
+          count, degree, fit, samples, widths[i]);
         heights[i] = fitted ? fit.heightDeviation(samples) : 0.0;
         deviations[i] = fitted ? fit.valueDeviation(samples) : 0.0;
         gradients[i] = fitted ? fit.gradient(Vector2d::Zero()).norm() : 0.0;
@@ -103,7 +97,8 @@ double typicalSamplingStep(const PointCloud& cloud)
   Neighborhood near;
   for (std::size_t i = 0; i < sites; ++i)
   {
-    cloud.nearest(cloud.points().col(siteOf(i, sites, points)), count + 1, near);
+    cloud.nearest(
+      cloud.points().col(static_cast<Eigen::Index>(siteOf(i, sites, points))), count + 1, near);
     steps[i] = std::sqrt(near.squaredDistances.back() * Pi / count);
   }
   return quantile(steps, 0.5);

@@ -21,6 +21,12 @@ inline double quantile(std::vector<double>& values, double fraction)
   return *element;
 }
 
+/// The element at a site, of sites spread evenly over `count` elements.
+inline std::size_t siteOf(std::size_t site, std::size_t sites, std::size_t count)
+{
+  return (2 * site + 1) * count / (2 * sites);
+}
+
 /// The median of ten thousand values spread over all, which is as good as that of all and quicker.
 template <class ValueAt>
 double medianOfSome(std::size_t count, const ValueAt& valueAt)
