@@ -4,6 +4,7 @@
 #include "Execution.h"
 #include "NeighborGraph.h"
 #include "SurfaceScalarsCoreExport.h"
+#include "Triangles.h"
 
 #include <Eigen/SparseCore>
 
@@ -35,9 +36,6 @@ struct Laplacian
   Values mass;                           ///< n, positive
   bool symmetric = true;
 };
-
-/// Corners of triangles, one triangle per column.
-using Triangles = Eigen::Matrix<Index, 3, Eigen::Dynamic>;
 
 /**
  * Of a point set: Gaussian, DensityNormalized or LocalScale (point-set paper, sec. 2.2).

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "Laplacian.h"
+#include "VertexName.h"
 
-#include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace SurfaceScalars
@@ -15,9 +14,6 @@ struct ValueConstraint
   Index vertex;
   double value;
 };
-
-/// What the caller calls a vertex, for messages; empty for the vertex itself.
-using VertexName = std::function<std::size_t(Index vertex)>;
 
 /**
  * The harmonic function with given values at some vertices: stiffness f = 0 at all others

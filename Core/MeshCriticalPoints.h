@@ -1,0 +1,77 @@
+#pragma once
+
+#include "CriticalPoint.h"
+#include "MeshTopology.h"
+#include "Persistence.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// How many critical points; saddles with their multiplicity.
+struct CriticalCounts
+{
+  Index minima = 0;
+  Index saddles = 0;
+  Index maxima = 0;
+};
+
+/// What each vertex is to a function.
+struct VertexTypes
+{
+  std::vector<CriticalType> types;
+  std::vector<std::uint16_t> multiplicities; ///< m of saddles, 1 of extrema, 0 of regular vertices
+  CriticalCounts counts;
+};
+
+/**
+ * The types of the vertices (smoothing paper, sec. 3, delta = 0; Banchoff), ties by index
+ * (simulation of simplicity), so that constant functions too have a minimum and a maximum.
+ *
+ * In each triangle the middle vertex counts one: the link of an interior vertex changes its sign as
+ * often as it is in the middle, 0 = extremum, 2 = regular, 2 + 2m = saddle of multiplicity m. A vertex
+ * on the boundary is what it is on the mesh glued to its mirror image along the boundary (as is
+ * the natural boundary condition): c changes of its link make 2c there.
+ *
+ * Euler's formula holds identically: minima - saddles + maxima, where boundary vertices count
+ * half, is the Euler characteristic.
+ *
+ * @param values one per vertex, finite
+ * @throws InvalidInput for other values; Aborted
+ */
+SURFACESCALARSCORE_EXPORT VertexTypes classifyVertices(
+  const MeshTopology& mesh, const ValuesRef& values, const Execution& execution = {});
+
+/**
+ * Up to which delta a critical vertex is one (smoothing paper, sec. 3; as printed, nearly every
+ * vertex would be both a maximum and a minimum for large delta, see Documentation/equations.md):
+ * f's unit, 0 for regular vertices. C_delta is {threshold > delta}, and all for delta = 0: nested.
+ *
+ * Of an extremum: the least |f_j - f_i| of its link. Of a saddle: the largest delta at which the
+ * signs of f_j - f_i around the link, those of at most delta in magnitude left out, still change
+ * four times.
+ */
+SURFACESCALARSCORE_EXPORT Values deltaThresholds(const MeshTopology& mesh, const ValuesRef& values,
+  const VertexTypes& types, const Execution& execution = {});
+
+/// The extremum-saddle pairs by union-find along the edges, as on a graph (Persistence.h).
+SURFACESCALARSCORE_EXPORT PersistencePairs persistencePairs(
+  const MeshTopology& mesh, const ValuesRef& values, const Execution& execution = {});
+
+struct MeshCriticalPoints
+{
+  std::vector<CriticalPoint> points; ///< by vertex; `input` is the vertex
+  std::vector<CriticalPair> pairs;   ///< all extremum-saddle pairs, indices into points
+};
+
+/**
+ * The critical vertices with their persistence: that of its pair, of a saddle the largest of those
+ * it ends, f's range if it ends fewer than its multiplicity (a handle) and for the global minimum
+ * and maximum of each component. removeBelow() (Persistence.h) takes points and pairs.
+ */
+SURFACESCALARSCORE_EXPORT MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices,
+  const MeshTopology& mesh, const ValuesRef& values, const Execution& execution = {});
+
+} // namespace SurfaceScalars

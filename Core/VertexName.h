@@ -1,0 +1,14 @@
+#pragma once
+
+#include "Basics.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace SurfaceScalars
+{
+
+/// What the caller calls a vertex, for messages; empty for the vertex itself.
+using VertexName = std::function<std::size_t(Index vertex)>;
+
+} // namespace SurfaceScalars
