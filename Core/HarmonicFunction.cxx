@@ -24,11 +24,6 @@ struct Unknowns
   Values given;              ///< 0 where the value is not given
 };
 
-std::size_t nameOfVertex(Index vertex, const VertexName& nameOf)
-{
-  return nameOf ? nameOf(vertex) : vertex;
-}
-
 Unknowns unknownsOf(Eigen::Index vertexCount, const std::vector<ValueConstraint>& constraints,
   const VertexName& nameOf)
 {
