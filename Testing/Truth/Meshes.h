@@ -1,0 +1,40 @@
+#pragma once
+
+#include "TriangleMesh.h"
+#include "Triangles.h"
+
+#include <vector>
+
+namespace SurfaceScalars::Truth
+{
+
+/// A square grid, each square cut in two, and what its sides are glued to.
+enum class Grid
+{
+  Patch,
+  Cylinder, ///< columns around
+  Moebius,  ///< columns around, upside down where they meet
+  Torus
+};
+
+/// Meshes of a known Euler characteristic.
+
+/// 1, 0, 0 and 0. @param columns at least 3, rows too, in squares
+TriangleMesh gridMesh(Grid grid, int columns, int rows);
+
+/// The unit sphere, an octahedron each of whose triangles is cut in four again and again: 2.
+TriangleMesh subdividedSphere(int levels);
+
+/// The surface of a plate with holes in a row: 2 - 2 holes. @param levels as of the sphere
+TriangleMesh plateWithHoles(int holes, int levels);
+
+/// The meshes beside each other, not joined.
+TriangleMesh besideEachOther(const TriangleMesh& one, const TriangleMesh& other);
+
+/// Each triangle in four. New vertices lie in the middles of the edges.
+TriangleMesh subdivided(const TriangleMesh& mesh);
+
+/// As the core wants them.
+Triangles trianglesOf(const TriangleMesh& mesh);
+
+} // namespace SurfaceScalars::Truth
