@@ -44,8 +44,8 @@ void findEdges(
   }
 }
 
-[[noreturn]] void refuse(LinkShape shape, Index vertex, Index neighbor, std::size_t triangleCount,
-  const VertexName& nameOf)
+[[noreturn]] void refuseLink(LinkShape shape, Index vertex, Index neighbor,
+  std::size_t triangleCount, const VertexName& nameOf)
 {
   const std::string name = std::to_string(nameOfVertex(vertex, nameOf));
   if (shape == LinkShape::Branching)
@@ -58,6 +58,19 @@ void findEdges(
   throw InvalidInput("a manifold, at each vertex triangles that form one fan",
     "several fans of the " + std::to_string(triangleCount) + " triangles at vertex " + name,
     "Give each fan a vertex of its own.");
+}
+
+[[noreturn]] void refuseTriangle(
+  const Index* corners, const std::string& triangle, Index vertexCount, const VertexName& nameOf)
+{
+  const Index last = std::max({ corners[0], corners[1], corners[2] });
+  require(last < vertexCount,
+    "corners below " + std::to_string(vertexCount) + ", the number of vertices",
+    std::to_string(last) + " in triangle " + triangle, "Correct the triangle.");
+  const Index twice = corners[0] == corners[1] ? corners[0] : corners[2];
+  throw InvalidInput("three different corners of each triangle",
+    "vertex " + std::to_string(nameOfVertex(twice, nameOf)) + " twice in triangle " + triangle,
+    "Remove degenerate triangles.");
 }
 
 } // namespace
@@ -84,15 +97,10 @@ void MeshTopology::checkTriangles(const VertexName& nameOf) const
   for (Eigen::Index t = 0; t < count; ++t)
   {
     const Index* corners = this->triangles_.col(t).data();
-    for (int c = 0; c < 3; ++c)
+    const bool exist = std::max({ corners[0], corners[1], corners[2] }) < this->vertexCount();
+    if (!exist || corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
     {
-      require(corners[c] < this->vertexCount(),
-        "corners below " + std::to_string(this->vertexCount()) + ", the number of vertices",
-        std::to_string(corners[c]) + " in triangle " + std::to_string(t), "Correct the triangle.");
-      require(corners[c] != corners[(c + 1) % 3], "three different corners of each triangle",
-        "vertex " + std::to_string(nameOfVertex(corners[c], nameOf)) + " twice in triangle " +
-          std::to_string(t),
-        "Remove degenerate triangles.");
+      refuseTriangle(corners, std::to_string(t), this->vertexCount(), nameOf);
     }
   }
 }
@@ -110,8 +118,12 @@ void MeshTopology::findTrianglesOfVertices(const Execution& execution, const Ver
   for (Index vertex = 0; vertex < this->vertexCount(); ++vertex)
   {
     const Index count = std::exchange(this->starts_[vertex], end);
-    require(count > 0, "a triangle at each vertex",
-      "none at vertex " + std::to_string(nameOfVertex(vertex, nameOf)), "Remove unused vertices.");
+    if (count == 0)
+    {
+      throw InvalidInput("a triangle at each vertex",
+        "none at vertex " + std::to_string(nameOfVertex(vertex, nameOf)),
+        "Remove unused vertices.");
+    }
     end += count + 1;
   }
   this->links_.resize(end);
@@ -168,7 +180,7 @@ void MeshTopology::orderLinks(const Execution& execution, const VertexName& name
     std::vector<LinkEdge> edges;
     LinkPath path;
     const LinkShape shape = follow(firstRefused, edges, path);
-    refuse(shape, firstRefused, path.branching(), edges.size(), nameOf);
+    refuseLink(shape, firstRefused, path.branching(), edges.size(), nameOf);
   }
 }
 
