@@ -2,18 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace SurfaceScalars
 {
 
 ComponentMeans::ComponentMeans(const Laplacian& laplacian)
+  : ComponentMeans(laplacian, laplacian.mass)
+{
+}
+
+ComponentMeans::ComponentMeans(const Laplacian& laplacian, Values weights)
   : components_(connectedComponents(laplacian.stiffness))
-  , mass_(laplacian.mass)
-  , masses_(Values::Zero(1 + *std::max_element(components_.begin(), components_.end())))
+  , weights_(std::move(weights))
+  , totals_(Values::Zero(1 + *std::max_element(components_.begin(), components_.end())))
 {
   for (std::size_t i = 0; i < this->components_.size(); ++i)
   {
-    this->masses_[this->components_[i]] += this->mass_[static_cast<Eigen::Index>(i)];
+    this->totals_[this->components_[i]] += this->weights_[static_cast<Eigen::Index>(i)];
   }
 }
 
@@ -23,21 +29,21 @@ Values ComponentMeans::of(const ValuesRef& function) const
   for (std::size_t i = 0; i < this->components_.size(); ++i)
   {
     const auto vertex = static_cast<Eigen::Index>(i);
-    sums[this->components_[i]] += this->mass_[vertex] * function[vertex];
+    sums[this->components_[i]] += this->weights_[vertex] * function[vertex];
   }
-  return this->spread(sums.cwiseQuotient(this->masses_));
+  return this->spread(sums.cwiseQuotient(this->totals_));
 }
 
 Values ComponentMeans::unit(Eigen::Index component) const
 {
   Values result = Values::Zero(this->count());
-  result[component] = 1.0 / std::sqrt(this->masses_[component]);
+  result[component] = 1.0 / std::sqrt(this->totals_[component]);
   return this->spread(result);
 }
 
 Values ComponentMeans::spread(const Values& ofComponents) const
 {
-  Values result(this->mass_.size());
+  Values result(this->weights_.size());
   for (std::size_t i = 0; i < this->components_.size(); ++i)
   {
     result[static_cast<Eigen::Index>(i)] = ofComponents[this->components_[i]];

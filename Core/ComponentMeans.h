@@ -11,15 +11,15 @@ namespace SurfaceScalars
 class ComponentMeans
 {
 public:
-  explicit ComponentMeans(const Laplacian& laplacian);
+  explicit ComponentMeans(const Laplacian& laplacian); ///< weighted by the mass
+  ComponentMeans(const Laplacian& laplacian, Values weights);
 
-  Eigen::Index count() const { return this->masses_.size(); } ///< of components
+  Eigen::Index count() const { return this->totals_.size(); } ///< of components
 
-  /// At each vertex the mean over its component, weighted by the mass: the projection onto these
-  /// functions.
+  /// At each vertex the weighted mean over its component: the projection onto these functions.
   Values of(const ValuesRef& function) const;
 
-  /// 1 on a component, 0 elsewhere, divided such that its norm in the mass is 1.
+  /// 1 on a component, 0 elsewhere, divided such that its weighted norm is 1.
   Values unit(Eigen::Index component) const;
 
 private:
@@ -27,8 +27,8 @@ private:
   Values spread(const Values& ofComponents) const;
 
   std::vector<int> components_;
-  Values mass_;
-  Values masses_; ///< of the components
+  Values weights_;
+  Values totals_; ///< of the components
 };
 
 } // namespace SurfaceScalars

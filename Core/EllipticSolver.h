@@ -29,8 +29,6 @@ public:
   Values solve(const ValuesRef& right, const Execution& execution = {}) const;
 
 private:
-  class Iteration;
-
   Multigrid preconditioner_;
   bool isSymmetric_;
 };

@@ -12,6 +12,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -30,7 +31,13 @@ struct SparseCholesky::Factors
 #ifdef SURFACE_SCALARS_CHOLMOD
     this->decomposition.cholmod().print = 0; // nothing: errors are thrown
 #endif
-    this->decomposition.compute(matrix);
+    this->decomposition.analyzePattern(matrix);
+    this->factor(matrix);
+  }
+
+  void factor(const Matrix& matrix)
+  {
+    this->decomposition.factorize(matrix);
     if (this->decomposition.info() != Eigen::Success)
     {
       throw Error("expected a positive definite matrix, found one of " +
@@ -47,7 +54,19 @@ SparseCholesky::SparseCholesky(
   require(matrix->nonZeros() <= most, "at most " + std::to_string(most) + " links between points",
     std::to_string(matrix->nonZeros()), "Choose fewer neighbors or thin the points.");
   this->factors_ =
-    inBackground(execution, [matrix]() { return std::make_shared<const Factors>(*matrix); });
+    inBackground(execution, [matrix]() { return std::make_shared<Factors>(*matrix); });
+}
+
+void SparseCholesky::refactor(
+  const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution)
+{
+  // Not ours meanwhile: after an abort the work goes on, and nobody may use them.
+  this->factors_ = inBackground(execution,
+    [matrix, factors = std::exchange(this->factors_, nullptr)]()
+    {
+      factors->factor(*matrix);
+      return factors;
+    });
 }
 
 Values SparseCholesky::solve(const ValuesRef& rightSide) const

@@ -26,11 +26,19 @@ public:
   SparseCholesky(
     const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution);
 
+  SparseCholesky(const SparseCholesky&) = delete; // refactor() would change copies as well
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
+
+  /// Other entries at the same places: in what order to eliminate is known already. After an
+  /// exception there are no factors. @throws as the constructor
+  void refactor(
+    const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution);
+
   Values solve(const ValuesRef& rightSide) const;
 
 private:
   struct Factors;
-  std::shared_ptr<const Factors> factors_;
+  std::shared_ptr<Factors> factors_;
 };
 
 } // namespace SurfaceScalars
