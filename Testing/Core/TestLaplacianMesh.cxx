@@ -1,20 +1,16 @@
 #include "Error.h"
 #include "LaplacianFunctions.h"
-#include "Sampling.h"
+#include "Meshes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace SurfaceScalars
 {
@@ -23,82 +19,9 @@ namespace
 
 using testing::HasSubstr;
 
-struct Mesh
-{
-  Points vertices;
-  Triangles triangles;
-};
-
-/// (size + 1)^2 vertices of a unit square; inner ones are moved by up to `shake` of an edge.
-Mesh squareMesh(int size, double shake)
-{
-  Truth::Random random(1);
-  Mesh result = { Truth::squareGrid(size + 1, 1.0 / size), Triangles(3, 2 * size * size) };
-  for (Eigen::Index i = 0; i < result.vertices.cols(); ++i)
-  {
-    auto place = result.vertices.col(i);
-    if (place.head(2).minCoeff() > 0.5 / size && place.head(2).maxCoeff() < 1.0 - 0.5 / size)
-    {
-      place.head(2) +=
-        shake / size * Vector2d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
-    }
-  }
-  Eigen::Index triangle = 0;
-  for (int row = 0; row < size; ++row)
-  {
-    for (int column = 0; column < size; ++column)
-    {
-      const auto corner = static_cast<Index>(row * (size + 1) + column);
-      const auto above = static_cast<Index>(corner + size + 1);
-      result.triangles.col(triangle++) << corner, corner + 1, above + 1;
-      result.triangles.col(triangle++) << corner, above + 1, above;
-    }
-  }
-  return result;
-}
-
-/// Each triangle of an octahedron divided `times` times into four, on the unit sphere.
-Mesh sphereMesh(int times)
-{
-  std::vector<Vector3d> vertices = { Vector3d::UnitX(), -Vector3d::UnitX(), Vector3d::UnitY(),
-    -Vector3d::UnitY(), Vector3d::UnitZ(), -Vector3d::UnitZ() };
-  std::vector<std::array<Index, 3>> triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 },
-    { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } };
-  for (; times > 0; --times)
-  {
-    std::map<std::pair<Index, Index>, Index> middles;
-    const auto middle = [&](Index a, Index b)
-    {
-      const auto [place, isNew] =
-        middles.emplace(std::minmax(a, b), static_cast<Index>(vertices.size()));
-      if (isNew)
-      {
-        vertices.push_back((vertices[a] + vertices[b]).normalized());
-      }
-      return place->second;
-    };
-    std::vector<std::array<Index, 3>> finer;
-    for (const auto& [a, b, c] : triangles)
-    {
-      const Index ab = middle(a, b);
-      const Index bc = middle(b, c);
-      const Index ca = middle(c, a);
-      finer.insert(finer.end(), { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } });
-    }
-    triangles.swap(finer);
-  }
-  Mesh result = { Points(3, vertices.size()), Triangles(3, triangles.size()) };
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    result.vertices.col(static_cast<Eigen::Index>(i)) = vertices[i];
-  }
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    result.triangles.col(static_cast<Eigen::Index>(i)) << triangles[i][0], triangles[i][1],
-      triangles[i][2];
-  }
-  return result;
-}
+using Truth::Mesh;
+using Truth::sphereMesh;
+using Truth::squareMesh;
 
 Laplacian laplacianOf(const Mesh& mesh, LaplacianWeights weights)
 {
