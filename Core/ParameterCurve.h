@@ -9,7 +9,7 @@ namespace SurfaceScalars
 enum class EpsilonChoice
 {
   GCV = 0,    ///< generalized cross-validation: least ||f - x||^2 / (1 - trace / n)^2
-  LCurve = 1, ///< largest curvature of log energy over log distance (Hansen and O'Leary, 1993)
+  LCurve = 1, ///< largest curvature of log seminorm over log residual (Hansen and O'Leary, 1993)
   Manual = 2
 };
 
@@ -17,17 +17,32 @@ enum class EpsilonChoice
 struct ParameterCurve
 {
   Values epsilons;
-  Values residuals; ///< ||f - x||_W
-  Values seminorms; ///< sqrt(energy), the Sobolev semi-norm of the paper
-  Values gcv;
-  Values curvatures; ///< of the L-curve
+  Values residuals;  ///< ||f - x||_W
+  Values seminorms;  ///< sqrt(energy), the Sobolev semi-norm of the paper
+  Values gcv;        ///< residual^2 / (1 - trace / n)^2, the trace that of f -> x
+  Values curvatures; ///< of the L-curve, positive at its corner; 0 where a norm is 0
 };
 
-/// (range and number of epsilons; probes for the trace; cost)
-SURFACESCALARSCORE_EXPORT ParameterCurve parameterCurve(
-  const TikhonovSmoother& smoother, const ValuesRef& values, const Execution& execution = {});
+/**
+ * Smooths with epsilons for lengths from the size of the surface, sqrt(area), to half an edge,
+ * further as long as the best one is the last, and closer about the best: some 15 to 20.
+ *
+ * The trace is estimated with random signs, the same ones each time (Hutchinson, 1990): as many as
+ * make a thousand values. What the curvature takes of derivatives, d log residual^2 / d log
+ * epsilon, comes from one more solution.
+ *
+ * Takes some twenty times as long as smooth().
+ *
+ * @param choice about whose best epsilon the curve is refined, GCV or LCurve
+ * @throws as TikhonovSmoother::smooth()
+ */
+SURFACESCALARSCORE_EXPORT ParameterCurve parameterCurve(const TikhonovSmoother& smoother,
+  const ValuesRef& values, const Execution& execution = {},
+  EpsilonChoice choice = EpsilonChoice::GCV);
 
-/// @param choice GCV or LCurve @returns an epsilon
+/// The best epsilon of the curve, between its entries. Of equally good ones, as for constant f, the
+/// least.
+/// @param choice GCV or LCurve
 SURFACESCALARSCORE_EXPORT double chooseEpsilon(const ParameterCurve& curve, EpsilonChoice choice);
 
 } // namespace SurfaceScalars
