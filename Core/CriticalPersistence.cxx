@@ -85,7 +85,7 @@ void concludePersistence(CriticalPairing& all, double range)
 std::vector<CriticalPair> assignPersistence(std::vector<CriticalPoint>& points,
   const NeighborGraph& graph, const ValuesRef& values, const Execution& execution)
 {
-  const GraphMergeTrees trees = graphMergeTrees(graph, values, execution.part(0.0, 0.9));
+  const MergeTrees trees = graphMergeTrees(graph, values, execution.part(0.0, 0.9));
   const double range = values.maxCoeff() - values.minCoeff();
   CriticalPairing all{ points, graph, values };
   for (const CriticalPoint& point : points)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "GraphMergeTrees.h"
+#include "MergeTrees.h"
 #include "Persistence.h"
 
 #include <cmath>

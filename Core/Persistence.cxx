@@ -1,7 +1,8 @@
 #include "Persistence.h"
 
-#include "GraphMergeTrees.h"
+#include "MergeTrees.h"
 #include "Require.h"
+#include "ValueOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,39 +30,25 @@ std::vector<PersistencePair> pairsOf(const MergeTree& tree, const ValuesRef& val
 
 } // namespace
 
-GraphMergeTrees graphMergeTrees(
+MergeTrees graphMergeTrees(
   const NeighborGraph& graph, const ValuesRef& values, const Execution& execution)
 {
   require(values.size() == graph.pointCount(), "one value per point",
     std::to_string(values.size()) + " values for " + std::to_string(graph.pointCount()) + " points",
     "Leave points without a value out.");
-  const double* value = values.data();
   const auto neighborsOf = [&](Index point) { return graph.neighbors(point); };
-  const auto isBelow = [=](Index a, Index b)
-  { return value[a] < value[b] || (value[a] == value[b] && a < b); };
-  const auto isAbove = [=](Index a, Index b) { return isBelow(b, a); };
+  return mergeTrees(graph.pointCount(), neighborsOf, ValueOrder{ values.data() }, execution);
+}
 
-  GraphMergeTrees trees;
-  parallelForEach(2, execution,
-    [&](std::size_t which, const Poll& poll)
-    {
-      if (which == 0)
-      {
-        trees.sublevel = MergeTreeBuilder(graph.pointCount(), neighborsOf, isBelow, poll).build();
-      }
-      else
-      {
-        trees.superlevel = MergeTreeBuilder(graph.pointCount(), neighborsOf, isAbove, poll).build();
-      }
-    });
-  return trees;
+PersistencePairs pairsOf(const MergeTrees& trees, const ValuesRef& values)
+{
+  return { pairsOf(trees.sublevel, values), pairsOf(trees.superlevel, values) };
 }
 
 PersistencePairs persistencePairs(
   const NeighborGraph& graph, const ValuesRef& values, const Execution& execution)
 {
-  const GraphMergeTrees trees = graphMergeTrees(graph, values, execution);
-  return { pairsOf(trees.sublevel, values), pairsOf(trees.superlevel, values) };
+  return pairsOf(graphMergeTrees(graph, values, execution), values);
 }
 
 void removeBelow(
