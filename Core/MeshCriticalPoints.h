@@ -4,7 +4,6 @@
 #include "MeshTopology.h"
 #include "Persistence.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace SurfaceScalars
@@ -22,7 +21,7 @@ struct CriticalCounts
 struct VertexTypes
 {
   std::vector<CriticalType> types;
-  std::vector<std::uint16_t> multiplicities; ///< m of saddles, 1 of extrema, 0 of regular vertices
+  std::vector<Index> multiplicities; ///< m of saddles, 1 of extrema, 0 of regular vertices
   CriticalCounts counts;
 };
 
@@ -31,9 +30,9 @@ struct VertexTypes
  * (simulation of simplicity), so that constant functions too have a minimum and a maximum.
  *
  * In each triangle the middle vertex counts one: the link of an interior vertex changes its sign as
- * often as it is in the middle, 0 = extremum, 2 = regular, 2 + 2m = saddle of multiplicity m. A vertex
- * on the boundary is what it is on the mesh glued to its mirror image along the boundary (as is
- * the natural boundary condition): c changes of its link make 2c there.
+ * often as it is in the middle, 0 = extremum, 2 = regular, 2 + 2m = saddle of multiplicity m. A
+ * vertex on the boundary is what it is on the mesh glued to its mirror image along the boundary (as
+ * is the natural boundary condition): c changes of its link make 2c there.
  *
  * Euler's formula holds identically: minima - saddles + maxima, where boundary vertices count
  * half, is the Euler characteristic.
@@ -49,14 +48,18 @@ SURFACESCALARSCORE_EXPORT VertexTypes classifyVertices(
  * vertex would be both a maximum and a minimum for large delta, see Documentation/equations.md):
  * f's unit, 0 for regular vertices. C_delta is {threshold > delta}, and all for delta = 0: nested.
  *
- * Of an extremum: the least |f_j - f_i| of its link. Of a saddle: the largest delta at which the
+ * Of an extremum: the least |f_j - f_i| of its link. Of a saddle: the largest delta below which the
  * signs of f_j - f_i around the link, those of at most delta in magnitude left out, still change
- * four times.
+ * four times; at the boundary there and back.
+ *
+ * @param types of the values
+ * @throws as classifyVertices()
  */
 SURFACESCALARSCORE_EXPORT Values deltaThresholds(const MeshTopology& mesh, const ValuesRef& values,
   const VertexTypes& types, const Execution& execution = {});
 
 /// The extremum-saddle pairs by union-find along the edges, as on a graph (Persistence.h).
+/// @throws as classifyVertices()
 SURFACESCALARSCORE_EXPORT PersistencePairs persistencePairs(
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution = {});
 
@@ -69,7 +72,14 @@ struct MeshCriticalPoints
 /**
  * The critical vertices with their persistence: that of its pair, of a saddle the largest of those
  * it ends, f's range if it ends fewer than its multiplicity (a handle) and for the global minimum
- * and maximum of each component. removeBelow() (Persistence.h) takes points and pairs.
+ * and maximum of each component. On a closed mesh removeBelow() (Persistence.h) keeps the sum of
+ * the indices.
+ *
+ * On a mesh with boundary the pairs are those on the mesh glued to its mirror image: a saddle of
+ * the boundary may also end one of two mirror images. A vertex has the larger persistence of its
+ * images (for extrema, that on the mesh itself), and a saddle the pairs of one of its images.
+ *
+ * @throws as classifyVertices(); InvalidInput unless there is one place per vertex
  */
 SURFACESCALARSCORE_EXPORT MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices,
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution = {});

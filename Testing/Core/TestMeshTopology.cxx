@@ -8,71 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace SurfaceScalars::Truth
 {
 namespace
 {
-
-struct NamedMesh
-{
-  const char* name;
-  TriangleMesh mesh;
-  int eulerCharacteristic;
-  bool isClosed;
-};
-
-std::vector<NamedMesh> meshes()
-{
-  std::vector<NamedMesh> result{ { "sphere", subdividedSphere(2), 2, true },
-    { "torus", gridMesh(Grid::Torus, 12, 7), 0, true },
-    { "patch", gridMesh(Grid::Patch, 5, 4), 1, false },
-    { "one triangle", { Points::Random(3, 3), { { 2, 0, 1 } } }, 1, false },
-    { "cylinder", gridMesh(Grid::Cylinder, 8, 3), 0, false },
-    { "Moebius strip", gridMesh(Grid::Moebius, 8, 3), 0, false } };
-  for (int holes = 0; holes <= 3; ++holes)
-  {
-    result.push_back({ "plate with holes", plateWithHoles(holes, 1), 2 - 2 * holes, true });
-  }
-  return result;
-}
-
-/// The same triangles, vertices and triangles in random order, each triangle in a random direction.
-TriangleMesh shuffled(TriangleMesh mesh, unsigned seed)
-{
-  Random random(seed);
-  const auto below = [&](std::size_t count)
-  { return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(count))); };
-  std::vector<int> names(static_cast<std::size_t>(mesh.points.cols()));
-  std::iota(names.begin(), names.end(), 0);
-  for (std::size_t i = names.size(); i > 1; --i)
-  {
-    std::swap(names[i - 1], names[below(i)]);
-  }
-  for (std::size_t i = mesh.triangles.size(); i > 1; --i)
-  {
-    std::swap(mesh.triangles[i - 1], mesh.triangles[below(i)]);
-  }
-  for (std::array<int, 3>& triangle : mesh.triangles)
-  {
-    for (int& vertex : triangle)
-    {
-      vertex = names[static_cast<std::size_t>(vertex)];
-    }
-    if (random.uniform() < 0.5)
-    {
-      std::swap(triangle[0], triangle[2]);
-    }
-  }
-  return mesh;
-}
-
-MeshTopology topologyOf(const TriangleMesh& mesh, int threadCount = 0)
-{
-  return { static_cast<Index>(mesh.points.cols()), trianglesOf(mesh), { threadCount, {} } };
-}
 
 /// The same cycle, wherever it begins and whichever way it goes, or the same path.
 void expectSameLink(std::vector<int> link, const OrderedLink& expected, bool isBoundary)
@@ -115,9 +56,9 @@ void expectIn(const std::string& part, const std::string& sentence)
 // and the direction of each triangle; V - E + F is what the surface has.
 TEST(MeshTopology, linksGoAround)
 {
-  for (const NamedMesh& named : meshes())
+  for (const NamedMesh& named : meshesOfAllKinds())
   {
-    for (const TriangleMesh& mesh : { named.mesh, shuffled(named.mesh, 1) })
+    for (const TriangleMesh& mesh : { named.mesh, shuffled(named.mesh, 1).mesh })
     {
       SCOPED_TRACE(named.name);
       const MeshTopology topology = topologyOf(mesh);
@@ -181,7 +122,7 @@ TEST(MeshTopology, aVertexMayHaveManyTriangles)
   {
     wheel.triangles.push_back({ i, (i + 1) % count, count });
   }
-  wheel = shuffled(wheel, 2);
+  wheel = shuffled(wheel, 2).mesh;
   const MeshTopology topology = topologyOf(wheel);
   EXPECT_EQ(topology.eulerCharacteristic(), 1);
   Index most = 0;
@@ -204,7 +145,7 @@ TEST(MeshTopology, twoTrianglesMayMakeASphere)
 // The number of threads changes nothing, and a refused mesh is refused at its first bad vertex.
 TEST(MeshTopology, threadsChangeNothing)
 {
-  TriangleMesh mesh = shuffled(gridMesh(Grid::Moebius, 300, 200), 3);
+  TriangleMesh mesh = shuffled(gridMesh(Grid::Moebius, 300, 200), 3).mesh;
   const MeshTopology one = topologyOf(mesh, 1);
   const MeshTopology four = topologyOf(mesh, 4);
   for (Index vertex = 0; vertex < one.vertexCount(); ++vertex)

@@ -1,10 +1,12 @@
 #include "Meshes.h"
 
+#include "Sampling.h"
 #include "Torus.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace SurfaceScalars::Truth
@@ -217,6 +219,56 @@ TriangleMesh subdivided(const TriangleMesh& mesh)
   return fine;
 }
 
+ShuffledMesh shuffled(const TriangleMesh& mesh, unsigned seed)
+{
+  Random random(seed);
+  const auto below = [&](std::size_t count)
+  { return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(count))); };
+  ShuffledMesh result{ mesh, std::vector<int>(static_cast<std::size_t>(mesh.points.cols())) };
+  std::vector<int>& names = result.names;
+  std::iota(names.begin(), names.end(), 0);
+  for (std::size_t i = names.size(); i > 1; --i)
+  {
+    std::swap(names[i - 1], names[below(i)]);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    result.mesh.points.col(names[i]) = mesh.points.col(static_cast<Eigen::Index>(i));
+  }
+  std::vector<std::array<int, 3>>& triangles = result.mesh.triangles;
+  for (std::size_t i = triangles.size(); i > 1; --i)
+  {
+    std::swap(triangles[i - 1], triangles[below(i)]);
+  }
+  for (std::array<int, 3>& triangle : triangles)
+  {
+    for (int& vertex : triangle)
+    {
+      vertex = names[static_cast<std::size_t>(vertex)];
+    }
+    if (random.uniform() < 0.5)
+    {
+      std::swap(triangle[0], triangle[2]);
+    }
+  }
+  return result;
+}
+
+std::vector<NamedMesh> meshesOfAllKinds()
+{
+  std::vector<NamedMesh> result{ { "sphere", subdividedSphere(2), 2, true },
+    { "torus", gridMesh(Grid::Torus, 12, 7), 0, true },
+    { "patch", gridMesh(Grid::Patch, 5, 4), 1, false },
+    { "one triangle", { Points::Identity(3, 3), { { 2, 0, 1 } } }, 1, false },
+    { "cylinder", gridMesh(Grid::Cylinder, 8, 3), 0, false },
+    { "Moebius strip", gridMesh(Grid::Moebius, 8, 3), 0, false } };
+  for (int holes = 0; holes <= 3; ++holes)
+  {
+    result.push_back({ "plate with holes", plateWithHoles(holes, 1), 2 - 2 * holes, true });
+  }
+  return result;
+}
+
 Triangles trianglesOf(const TriangleMesh& mesh)
 {
   Triangles result(3, static_cast<Eigen::Index>(mesh.triangles.size()));
@@ -230,6 +282,11 @@ Triangles trianglesOf(const TriangleMesh& mesh)
     ++column;
   }
   return result;
+}
+
+MeshTopology topologyOf(const TriangleMesh& mesh, int threadCount)
+{
+  return { static_cast<Index>(mesh.points.cols()), trianglesOf(mesh), { threadCount, {} } };
 }
 
 } // namespace SurfaceScalars::Truth

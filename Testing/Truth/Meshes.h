@@ -1,7 +1,7 @@
 #pragma once
 
+#include "MeshTopology.h"
 #include "TriangleMesh.h"
-#include "Triangles.h"
 
 #include <vector>
 
@@ -34,7 +34,28 @@ TriangleMesh besideEachOther(const TriangleMesh& one, const TriangleMesh& other)
 /// Each triangle in four. New vertices lie in the middles of the edges.
 TriangleMesh subdivided(const TriangleMesh& mesh);
 
+struct ShuffledMesh
+{
+  TriangleMesh mesh;
+  std::vector<int> names; ///< the new index of each vertex
+};
+
+/// The same surface: vertices and triangles in random order, each triangle in a random direction.
+ShuffledMesh shuffled(const TriangleMesh& mesh, unsigned seed);
+
+struct NamedMesh
+{
+  const char* name;
+  TriangleMesh mesh;
+  int eulerCharacteristic;
+  bool isClosed;
+};
+
+/// Small ones: spheres, a torus, genus 0 to 3, with boundary and with a twist.
+std::vector<NamedMesh> meshesOfAllKinds();
+
 /// As the core wants them.
 Triangles trianglesOf(const TriangleMesh& mesh);
+MeshTopology topologyOf(const TriangleMesh& mesh, int threadCount = 0);
 
 } // namespace SurfaceScalars::Truth

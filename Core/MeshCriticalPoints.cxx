@@ -1,0 +1,142 @@
+#include "MeshCriticalPoints.h"
+
+#include "MergeTrees.h"
+#include "MeshValues.h"
+#include "MirroredMesh.h"
+#include "Require.h"
+#include "ValueOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+MergeTrees meshMergeTrees(
+  const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
+{
+  const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
+  return mergeTrees(mesh.vertexCount(), neighborsOf, ValueOrder{ values.data() }, execution);
+}
+
+/// An image comes right after its vertex: what is symmetric remains so.
+MergeTrees mirroredMergeTrees(
+  const MirroredMesh& mirrored, const ValuesRef& values, const Execution& execution)
+{
+  const auto neighborsOf = [&](Index vertex) { return mirrored.neighbors(vertex); };
+  const ValueOrder order{ values.data() };
+  const auto isBelow = [&](Index a, Index b)
+  {
+    const Index first = mirrored.original(a);
+    const Index second = mirrored.original(b);
+    return first == second ? a < b : order(first, second);
+  };
+  return mergeTrees(mirrored.count(), neighborsOf, isBelow, execution);
+}
+
+class PairCollector
+{
+public:
+  PairCollector(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values,
+    const VertexTypes& types)
+    : mesh_(mesh)
+    , values_(values)
+    , pointOfVertex_(mesh.vertexCount(), 0)
+  {
+    for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+    {
+      if (types.types[vertex] != CriticalType::Regular)
+      {
+        this->pointOfVertex_[vertex] = this->result_.points.size();
+        CriticalPoint point;
+        point.position = vertices.col(vertex);
+        point.type = types.types[vertex];
+        point.multiplicity = static_cast<int>(types.multiplicities[vertex]);
+        point.value = values[vertex];
+        point.input = vertex;
+        this->result_.points.push_back(point);
+      }
+    }
+    this->ended_.assign(this->result_.points.size(), 0);
+  }
+
+  void add(const MergeTree& tree)
+  {
+    const MirroredMesh mirrored(this->mesh_);
+    for (const Merge& merge : tree.merges)
+    {
+      const Index extremum = mirrored.original(merge.younger);
+      const Index saddle = mirrored.original(merge.vertex);
+      const CriticalPair pair{ this->pointOfVertex_[extremum], this->pointOfVertex_[saddle],
+        std::abs(this->values_[saddle] - this->values_[extremum]) };
+      for (const std::size_t point : { pair.extremum, pair.saddle })
+      {
+        ++this->ended_[point];
+        double& persistence = this->result_.points[point].persistence;
+        persistence = std::max(persistence, pair.persistence);
+      }
+      if (!mirrored.isImage(merge.vertex))
+      {
+        this->result_.pairs.push_back(pair);
+      }
+    }
+  }
+
+  /// What is not cancelled as often as it is there has f's range.
+  MeshCriticalPoints conclude()
+  {
+    const double range = this->values_.maxCoeff() - this->values_.minCoeff();
+    for (std::size_t i = 0; i < this->ended_.size(); ++i)
+    {
+      CriticalPoint& point = this->result_.points[i];
+      const bool isSingle =
+        this->mesh_.isClosed() || this->mesh_.isBoundary(static_cast<Index>(point.input));
+      if (this->ended_[i] < point.multiplicity * (isSingle ? 1 : 2))
+      {
+        point.persistence = range;
+      }
+    }
+    return std::move(this->result_);
+  }
+
+private:
+  const MeshTopology& mesh_;
+  const ValuesRef& values_;
+  std::vector<std::size_t> pointOfVertex_; ///< of critical ones
+  std::vector<int> ended_;                 ///< in how many pairs each point is, with its image
+  MeshCriticalPoints result_;
+};
+
+} // namespace
+
+PersistencePairs persistencePairs(
+  const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
+{
+  checkMeshValues(mesh, values);
+  return pairsOf(meshMergeTrees(mesh, values, execution), values);
+}
+
+MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices, const MeshTopology& mesh,
+  const ValuesRef& values, const Execution& execution)
+{
+  require(vertices.cols() == mesh.vertexCount(), "one place per vertex",
+    std::to_string(vertices.cols()) + " places for " + std::to_string(mesh.vertexCount()) +
+      " vertices",
+    "Choose the vertices of the mesh.");
+  const VertexTypes types = classifyVertices(mesh, values, execution.part(0.0, 0.1));
+  const Execution ofTrees = execution.part(0.1, 0.9);
+  const MergeTrees trees = mesh.isClosed()
+    ? meshMergeTrees(mesh, values, ofTrees)
+    : mirroredMergeTrees(MirroredMesh(mesh), values, ofTrees);
+  PairCollector collector(vertices, mesh, values, types);
+  collector.add(trees.sublevel);
+  collector.add(trees.superlevel);
+  MeshCriticalPoints result = collector.conclude();
+  execution.report(1.0);
+  return result;
+}
+
+} // namespace SurfaceScalars

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "Basics.h"
+
+namespace SurfaceScalars
+{
+
+/// The order of the vertices by value, ties by index (simulation of simplicity): strict, so that no
+/// two are equal.
+struct ValueOrder
+{
+  const double* values;
+
+  bool operator()(Index a, Index b) const
+  {
+    return this->values[a] < this->values[b] || (this->values[a] == this->values[b] && a < b);
+  }
+};
+
+} // namespace SurfaceScalars
