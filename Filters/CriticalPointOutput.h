@@ -20,9 +20,12 @@ class FilterRun;
  * `<name>Input`, with a warning.
  *
  * @param valueName f's name; f becomes the active scalars
+ * @param execution the part of run.execution() this is
+ * @throws Aborted
  */
 void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& map,
-  const std::string& valueName, const FilterRun& run, vtkPolyData* output);
+  const std::string& valueName, const FilterRun& run, const Execution& execution,
+  vtkPolyData* output);
 
 /// The critical points as vertices with all arrays of a port `CriticalPoints`; their `input` is
 /// PointId.

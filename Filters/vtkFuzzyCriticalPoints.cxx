@@ -29,9 +29,10 @@ using namespace SurfaceScalars;
 namespace
 {
 
-// The shares of the whole that end with reading and with the neighbor graph.
-constexpr double ReadShare = 0.05;
+// The shares of the whole that end with reading, with the neighbor graph and with the search.
+constexpr double ReadShare = 0.02;
 constexpr double GraphShare = 0.4;
+constexpr double SearchShare = 0.96;
 
 CriticalPointParameters parametersOf(vtkFuzzyCriticalPoints& filter)
 {
@@ -125,8 +126,8 @@ int vtkFuzzyCriticalPoints::RequestData(
       samples.values = graph.average(samples.values);
       noteConstant(run, samples, samples.values);
 
-      FuzzyCriticalPoints found =
-        findCriticalPoints(graph, samples.values, parameters, execution.part(GraphShare, 1.0));
+      FuzzyCriticalPoints found = findCriticalPoints(
+        graph, samples.values, parameters, execution.part(GraphShare, SearchShare));
       for (CriticalPoint& point : found.points)
       {
         point.input = static_cast<std::size_t>(samples.idOf(point.input));
@@ -134,7 +135,8 @@ int vtkFuzzyCriticalPoints::RequestData(
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       passThrough(pointSetsOf(input), output);
       writeSampleCriticality(found.samples,
-        vertexMap(graph, samples.ids, output->GetNumberOfPoints()), samples.valueName, run, output);
+        vertexMap(graph, samples.ids, output->GetNumberOfPoints()), samples.valueName, run,
+        execution.part(SearchShare, 1.0), output);
       makeRoom(run, output->GetFieldData(), "IndexSum");
       makeRoom(run, output->GetFieldData(), "NeighborCount");
       writeSummary(found, output->GetFieldData());
