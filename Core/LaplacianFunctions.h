@@ -42,8 +42,9 @@ struct Eigenfunctions
  * these, 0 on the others. Of the others the entry of greatest magnitude is positive. The order of
  * equal eigenvalues, and the functions within their span, mean nothing but are always the same.
  *
- * Sixteen functions of 100,000 points take as long as some 60 of their neighbor graphs with
- * CHOLMOD, 80 without. An abort is heard within a second up to a million points.
+ * Sixteen functions of 100,000 points take as long as some 45 of their neighbor graphs on one
+ * thread with CHOLMOD and OpenBLAS, 60 with the reference BLAS, 80 without CHOLMOD; little of that
+ * has use for more threads. An abort is heard within a second up to a million points.
  *
  * @param count how many, 1 to n - 1
  * @throws InvalidInput for another count, weights that are not symmetric, too many links; Error if
