@@ -7,30 +7,30 @@
 namespace SurfaceScalars
 {
 
-/// A function and a strict order of the vertices that agrees with it and decides ties.
-struct OrderedFunction
-{
-  Values values;
-  std::vector<Index> order; ///< vertices, ascending
-};
-
 /**
- * A function close to f whose minima and maxima are exactly the given ones, by the sweeps of Tierny
- * and Pascucci (2012): from the minima upwards in the order of the values, the values met lifted to
- * the highest before, then the same from the maxima down, until no other extrema are left. Saddles
- * follow: as many as Euler's formula asks for. Where f is changed the result is flat, and only the order says
- * up from down.
+ * A function close to f whose minima and maxima are exactly the given vertices. Saddles follow: as
+ * many as Euler's formula asks for.
  *
- * @param values one per vertex, finite
- * @param minima at least one in every component, minima of f; maxima likewise
- * @throws InvalidInput ...; Error if extrema are left (named) after (some) rounds; Aborted
+ * An order of the vertices with these extrema comes from the sweeps of Tierny and Pascucci (2012);
+ * then the function that is monotone in this order and whose largest difference from f is least.
+ * The result has no plateaus: classifyVertices() finds these extrema in the values as they are.
+ *
+ * - If the given extrema are those of at least some persistence, no value changes by more than the
+ *   largest persistence that is cancelled, most by at most half of it, and those of the given
+ *   extrema not at all (but for rounding: some units in the last place of the largest magnitude).
+ * - If they are all extrema of f, nothing changes.
+ * - A given minimum that is none is lowered to its lowest neighbor first; a maximum is lifted.
+ *
+ * Time O(n log n), of the order of sorting the values.
+ *
+ * @param values one per vertex, finite, at most half of the largest double in magnitude
+ * @param minima vertices, at least one in every component; maxima likewise; in any order
+ * @throws InvalidInput unless it is so, and for a vertex or two neighbors that shall both be
+ * minima, or both be maxima, or one vertex that shall be both; Error if a bound on the number of
+ * sweeps is hit, which has not been seen; Aborted
  */
-SURFACESCALARSCORE_EXPORT OrderedFunction keepExtrema(const MeshTopology& mesh,
-  const ValuesRef& values, const std::vector<Index>& minima, const std::vector<Index>& maxima,
-  const Execution& execution = {});
-
-/// The order written into the values: each the next double above the one before, or more, so that
-/// classifying them again gives the types that the order gives.
-SURFACESCALARSCORE_EXPORT Values strictValues(const OrderedFunction& function);
+SURFACESCALARSCORE_EXPORT Values keepExtrema(const MeshTopology& mesh, const ValuesRef& values,
+  const std::vector<Index>& minima, const std::vector<Index>& maxima,
+  const Execution& execution = {}, const VertexName& nameOf = {});
 
 } // namespace SurfaceScalars

@@ -1,0 +1,121 @@
+#include "ExtremaSweep.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr int MostSweeps = 128;
+
+/// One sweep upwards. Downwards is upwards in the reversed order.
+class ExtremaSweep
+{
+public:
+  ExtremaSweep(const MeshTopology& mesh, const VertexOrder& order, std::vector<char> isFirst,
+    const Execution& execution)
+    : mesh_(mesh)
+    , order_(order)
+    , execution_(execution)
+    , isReached_(std::move(isFirst))
+  {
+    this->visited_.reserve(order.size());
+    for (Index place = 0; place < order.size(); ++place)
+    {
+      if (this->isReached_[order.vertexAt(place)] != 0) // otherwise it is in a pit
+      {
+        this->visit(place, place);
+        this->fillPit(place);
+      }
+    }
+  }
+
+  /// The vertices in the order in which they were visited; to be taken once.
+  std::vector<Index> takeVisited() { return std::move(this->visited_); }
+
+  bool foundPits() const { return this->foundPits_; }
+
+private:
+  /// @param level up to here all vertices outside pits are visited
+  void visit(Index place, Index level)
+  {
+    if (this->visited_.size() % 65536 == 0)
+    {
+      this->execution_.report(
+        static_cast<double>(this->visited_.size()) / static_cast<double>(this->order_.size()));
+    }
+    const Index vertex = this->order_.vertexAt(place);
+    this->visited_.push_back(vertex);
+    for (const Index neighbor : this->mesh_.link(vertex))
+    {
+      if (this->isReached_[neighbor] == 0)
+      {
+        this->isReached_[neighbor] = 1;
+        if (this->order_.placeOf(neighbor) < level)
+        {
+          this->pit_.push(this->order_.placeOf(neighbor));
+        }
+      }
+    }
+  }
+
+  void fillPit(Index level)
+  {
+    while (!this->pit_.empty())
+    {
+      this->foundPits_ = true;
+      const Index lowest = this->pit_.top();
+      this->pit_.pop();
+      this->visit(lowest, level);
+    }
+  }
+
+  const MeshTopology& mesh_;
+  const VertexOrder& order_;
+  const Execution& execution_;
+  std::vector<char> isReached_;
+  std::vector<Index> visited_;
+  std::priority_queue<Index, std::vector<Index>, std::greater<>> pit_; ///< places
+  bool foundPits_ = false;
+};
+
+/// Flags of the vertices with that sign.
+std::vector<char> withSign(const ExtremumSigns& signs, int sign)
+{
+  std::vector<char> flags(signs.size());
+  std::transform(signs.begin(), signs.end(), flags.begin(),
+    [=](signed char given) { return static_cast<char>(given == sign ? 1 : 0); });
+  return flags;
+}
+
+} // namespace
+
+VertexOrder orderWithExtrema(const MeshTopology& mesh, VertexOrder order,
+  const ExtremumSigns& signs, const Execution& execution)
+{
+  int sign = 1;
+  for (int count = 0; count < MostSweeps; ++count)
+  {
+    ExtremaSweep sweep(mesh, order, withSign(signs, sign),
+      execution.part(count / (count + 1.0), (count + 1.0) / (count + 2.0)));
+    if (count > 0 && !sweep.foundPits())
+    {
+      return sign > 0 ? std::move(order) : order.reversed();
+    }
+    std::vector<Index> visited = sweep.takeVisited();
+    std::reverse(visited.begin(), visited.end());
+    order = VertexOrder(std::move(visited));
+    sign = -sign;
+  }
+  throw Error("the topological simplification left extrema that were not asked for after " +
+    std::to_string(MostSweeps) + " sweeps over " + std::to_string(mesh.vertexCount()) +
+    " vertices.");
+}
+
+} // namespace SurfaceScalars
