@@ -1,11 +1,9 @@
 #pragma once
 
-#include "ConstrainedFunction.h"
 #include "MeshCriticalPoints.h"
 #include "ParameterCurve.h"
+#include "SmoothingMesh.h"
 
-#include <map>
-#include <memory>
 #include <vector>
 
 namespace SurfaceScalars
@@ -15,69 +13,85 @@ namespace SurfaceScalars
 enum class SmoothingMethod
 {
   FeaturePreserving = 0,
-  Tikhonov = 1,
-  InterpolatingConstraints = 2,
-  LeastSquaresConstraints = 3
+  Tikhonov = 1,                 ///< (3), (5)
+  InterpolatingConstraints = 2, ///< (6)
+  LeastSquaresConstraints = 3   ///< (7)
 };
 
-/// Which vertices keep their values. The numbers are fixed.
+/// Which critical points are kept, or constrained. The numbers are fixed.
 enum class ConstraintChoice
 {
   AllCriticalPoints = 0,
-  DeltaSimplified = 1,
-  Persistent = 2,
-  MaskArray = 3
+  DeltaSimplified = 1, ///< those of more than `delta`
+  Persistent = 2,      ///< those of at least `persistenceThreshold`
+  MaskArray = 3        ///< marked vertices
 };
 
 struct SmoothingParameters
 {
   SmoothingMethod method = SmoothingMethod::FeaturePreserving;
-  LaplacianWeights weights = LaplacianWeights::Cotangent;
-  DataMetric metric = DataMetric::Identity;
-  SmoothingEnergy energy = SmoothingEnergy::Biharmonic;
+  SmoothingNorms norms;
   EpsilonChoice epsilonChoice = EpsilonChoice::GCV;
   double epsilon = 1e5; ///< if chosen by hand
   ConstraintChoice constraints = ConstraintChoice::Persistent;
-  double persistenceThreshold = 0.0; ///< fractions of f's range
-  double delta = 0.0;
-  std::vector<char> mask;     ///< per vertex, for MaskArray
-  bool includeOneStars = true;
-  bool smoothedStars = true; ///< star values from smoothed f
-};
-
-/// A mesh and what is worth keeping between runs on it: topology, Laplacians, factors.
-class SURFACESCALARSCORE_EXPORT SmoothingMesh
-{
-public:
-  SmoothingMesh(Points vertices, const Triangles& triangles, const Execution& execution = {},
-    const VertexName& nameOf = {});
-
-  const Points& vertices() const;
-  const MeshTopology& topology() const;
-  /// Made when first asked for.
-  const TikhonovSmoother& smoother(LaplacianWeights weights, DataMetric metric,
-    SmoothingEnergy energy, const Execution& execution = {}) const;
+  double persistenceThreshold = 0.0; ///< fraction of f's range, 0 to 1
+  double delta = 0.0;                ///< fraction of f's range, 0 to 1
+  std::vector<char> mask;            ///< one per vertex, for MaskArray
+  bool includeOneStars = true;       ///< constrains the neighbors of constrained vertices too
+  bool smoothedStars = true;         ///< to values of smoothed f, not of f
 };
 
 struct SmoothedFunction
 {
-  Values values;
-  double epsilon = 0.0;
-  ParameterCurve curve; ///< empty if epsilon was chosen by hand
-  MeshCriticalPoints critical; ///< of values, classified again
+  Values values;               ///< in f's unit, one per vertex
+  double epsilon = 0.0;        ///< 0 where none was needed
+  ParameterCurve curve;        ///< empty if epsilon was chosen by hand or not needed
+  MeshCriticalPoints critical; ///< of values, ties by index
   CriticalCounts inputCounts;
   CriticalCounts outputCounts;
   double largestError = 0.0; ///< max |values - f|
-  double seminorm = 0.0;     ///< sqrt of the energy of values
-  std::vector<Index> lost; ///< vertices of f's persistent critical points without a counterpart
+  double seminorm = 0.0;     ///< root of the energy of values
+  std::vector<Index> lost; ///< of FeaturePreserving: persistent extrema of f without a counterpart
 };
 
 /**
- * Smooths f on a mesh (smoothing paper, sec. 4) and keeps its features.
+ * Smooths f on a mesh and keeps its features (smoothing paper, sec. 4).
  *
- * FeaturePreserving: Tikhonov smoothing; the extrema of the smooth function whose persistence is at least
- * the threshold; keepExtrema() of these: no other critical points but the saddles that Euler's
- * formula asks for. (...)
+ * FeaturePreserving, in four steps:
+ * 1. Tikhonov regularization, epsilon by generalized cross-validation unless chosen otherwise.
+ * 2. The extrema of the smooth function that `constraints` chooses are to be kept; by default those
+ *    whose persistence is at least the threshold. A difference of 1e-9 of f's range is rounding,
+ *    not a feature. The lowest and the highest vertex of each component are always kept.
+ * 3. keepExtrema(): all other extrema, and the saddles that cancel them, are removed.
+ * 4. The values are classified again, and compared with f: see `lost`.
+ *
+ * What is promised, and what is not:
+ * - The minima and maxima of the result are exactly those kept, at the vertices at which the smooth
+ *   function has them: not at those of f, where noise has moved them.
+ * - On a closed mesh there are as many saddles, counted with multiplicity, as Euler's formula asks
+ *   for; the two of each handle always remain. Where they lie is not promised.
+ * - The result differs from the smooth function only around extrema that were removed, by no more
+ *   than the largest persistence removed and mostly by half of it; there it is nearly flat.
+ * - Every extremum of f whose persistence exceeds the threshold by more than noise explains has one
+ *   of the result for itself, in the component that it owns (FeatureMatching.h), or is in `lost`.
+ *   Noise explains 2 d, with d = s sqrt(2 log(2 n / 0.01)): of n normal errors of standard
+ * deviation s, all are below d with probability 0.99; s is measured on what was removed from f, by
+ * the median of its magnitude, that single spikes do not move. Where noise is much stronger in
+ * places than elsewhere, more is called lost than is.
+ *
+ * InterpolatingConstraints and LeastSquaresConstraints constrain vertices, and with includeOneStars
+ * their neighbors. Critical points of f, or marked vertices, keep values of f; `Persistent` ones,
+ * if smoothedStars, are those of smoothed f and keep its values, as all neighbors do then. Neither
+ * the type of constrained vertices nor the absence of other critical points is promised: the
+ * paper's claim that they remain critical holds with their stars constrained, and does not exclude
+ * others. Of LeastSquaresConstraints, epsilon is that of smoothing f.
+ *
+ * A constant f comes back as it is.
+ *
+ * @param values f, one per vertex, finite
+ * @throws InvalidInput for other values, thresholds outside [0, 1], epsilon not above 0, a mask of
+ * another length or without a marked vertex; for constraints that leave a component without any;
+ * Error if a solver fails; Aborted
  */
 SURFACESCALARSCORE_EXPORT SmoothedFunction smoothFunction(const SmoothingMesh& mesh,
   const ValuesRef& values, const SmoothingParameters& parameters, const Execution& execution = {});

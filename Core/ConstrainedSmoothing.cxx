@@ -1,0 +1,178 @@
+#include "ConstrainedSmoothing.h"
+
+#include "ConstrainedFunction.h"
+#include "NumberText.h"
+#include "Quantile.h"
+#include "Require.h"
+#include "SmoothingFeatures.h"
+#include "TopologicalSimplification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr double Improbable = 0.01; // that any of n normal errors is beyond what noise explains
+constexpr double DeviationPerMedian = 1.4826; // of the magnitudes of normal errors
+
+void checkFraction(double fraction, const std::string& name)
+{
+  require(fraction >= 0.0 && fraction <= 1.0,
+    name + " between 0 and 1, a fraction of the range of the values", textOf(fraction),
+    "Lower or raise it.");
+}
+
+void checkMask(const std::vector<char>& mask, Index vertexCount)
+{
+  require(mask.size() == vertexCount, "one number per vertex to say which to keep",
+    std::to_string(mask.size()) + " for " + std::to_string(vertexCount) + " vertices",
+    "Choose another ConstraintArray.");
+  require(std::any_of(mask.begin(), mask.end(), [](char mark) { return mark != 0; }),
+    "at least 1 vertex that is not 0 in ConstraintArray", "none",
+    "Mark vertices, or choose other Constraints.");
+}
+
+void checkInput(
+  const SmoothingMesh& mesh, const ValuesRef& values, const SmoothingParameters& parameters)
+{
+  const Index count = mesh.topology().vertexCount();
+  require(values.size() == count, "one value per vertex",
+    std::to_string(values.size()) + " values for " + std::to_string(count) + " vertices",
+    "Choose another array.");
+  for (Index vertex = 0; vertex < count; ++vertex)
+  {
+    require(std::isfinite(values[vertex]), "finite values",
+      textOf(values[vertex]) + " at vertex " + std::to_string(nameOfVertex(vertex, mesh.nameOf())),
+      "Remove such vertices, or give them a value.");
+  }
+  require(std::isfinite(values.maxCoeff() - values.minCoeff()), "values of finite range",
+    textOf(values.minCoeff()) + " to " + textOf(values.maxCoeff()), "Choose another unit.");
+  checkFraction(parameters.persistenceThreshold, "PersistenceThreshold");
+  checkFraction(parameters.delta, "Delta");
+  require(parameters.epsilonChoice != EpsilonChoice::Manual ||
+      (parameters.epsilon > 0.0 && std::isfinite(parameters.epsilon)),
+    "Epsilon above 0", textOf(parameters.epsilon), "Raise it.");
+  if (parameters.constraints == ConstraintChoice::MaskArray &&
+    parameters.method != SmoothingMethod::Tikhonov)
+  {
+    checkMask(parameters.mask, count);
+  }
+}
+
+/// Whether Tikhonov's function is needed.
+bool needSmooth(const SmoothingParameters& parameters)
+{
+  return parameters.method == SmoothingMethod::FeaturePreserving ||
+    parameters.method == SmoothingMethod::Tikhonov ||
+    (parameters.smoothedStars &&
+      (parameters.includeOneStars || parameters.constraints == ConstraintChoice::Persistent));
+}
+
+/// Epsilon, and the curve it is chosen from.
+void findEpsilon(SmoothedFunction& result, const TikhonovSmoother& smoother,
+  const ValuesRef& values, const SmoothingParameters& parameters, const Execution& execution)
+{
+  result.epsilon = parameters.epsilon;
+  if (parameters.epsilonChoice != EpsilonChoice::Manual)
+  {
+    result.curve = parameterCurve(smoother, values, execution);
+    result.epsilon = chooseEpsilon(result.curve, parameters.epsilonChoice);
+  }
+}
+
+/// What is left of f.
+Values smoothed(const SmoothingData& data, const SmoothingParameters& parameters, double epsilon,
+  const Execution& execution)
+{
+  const Laplacian& laplacian = data.mesh.laplacian(parameters.norms.weights);
+  const SmoothingEnergy energy = parameters.norms.energy;
+  switch (parameters.method)
+  {
+    case SmoothingMethod::Tikhonov:
+      return data.smooth;
+    case SmoothingMethod::InterpolatingConstraints:
+      return interpolateConstraints(laplacian, energy,
+        constraintsOf(data, parameters, execution.part(0.0, 0.2)), execution.part(0.2, 1.0),
+        data.mesh.nameOf());
+    case SmoothingMethod::LeastSquaresConstraints:
+      return fitConstraints(laplacian, energy,
+        constraintsOf(data, parameters, execution.part(0.0, 0.2)), epsilon,
+        execution.part(0.2, 1.0), data.mesh.nameOf());
+    case SmoothingMethod::FeaturePreserving:
+    {
+      const ExtremalVertices kept = extremaToKeep(data, parameters, execution.part(0.0, 0.3));
+      return keepExtrema(data.mesh.topology(), data.smooth, kept.minima, kept.maxima,
+        execution.part(0.3, 1.0), data.mesh.nameOf());
+    }
+  }
+  throw InvalidInput("a method from 0 to 3", std::to_string(static_cast<int>(parameters.method)),
+    "Choose one of these.");
+}
+
+CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
+{
+  CriticalCounts counts;
+  for (const CriticalPoint& point : points)
+  {
+    Index& count = point.type == CriticalType::Minimum ? counts.minima
+      : point.type == CriticalType::Maximum            ? counts.maxima
+                                                       : counts.saddles;
+    count += static_cast<Index>(point.multiplicity);
+  }
+  return counts;
+}
+
+/// What noise adds to a persistence, at most: that of the size of what was removed.
+double persistenceOfNoise(const ValuesRef& removed)
+{
+  const auto count = static_cast<std::size_t>(removed.size());
+  const double median = medianOfSome(
+    count, [&](std::size_t i) { return std::abs(removed[static_cast<Eigen::Index>(i)]); });
+  return 2.0 * DeviationPerMedian * median *
+    std::sqrt(2.0 * std::log(2.0 * static_cast<double>(count) / Improbable));
+}
+
+} // namespace
+
+SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& values,
+  const SmoothingParameters& parameters, const Execution& execution)
+{
+  checkInput(mesh, values, parameters);
+  const MeshTopology& topology = mesh.topology();
+  SmoothedFunction result;
+  result.values = values;
+  result.inputCounts = classifyVertices(topology, values, execution.part(0.0, 0.02)).counts;
+  SmoothingData data{ mesh, values, {}, values.maxCoeff() - values.minCoeff() };
+  if (data.range > 0.0)
+  {
+    const TikhonovSmoother& smoother = mesh.smoother(parameters.norms, execution.part(0.02, 0.2));
+    if (needSmooth(parameters) || parameters.method == SmoothingMethod::LeastSquaresConstraints)
+    {
+      findEpsilon(result, smoother, values, parameters, execution.part(0.2, 0.6));
+    }
+    if (needSmooth(parameters))
+    {
+      data.smooth = smoother.smooth(values, result.epsilon, execution.part(0.6, 0.7));
+    }
+    result.values = smoothed(data, parameters, result.epsilon, execution.part(0.7, 0.9));
+    result.largestError = (result.values - values).lpNorm<Eigen::Infinity>();
+    result.seminorm = std::sqrt(smoother.energy(result.values));
+  }
+  result.critical =
+    meshCriticalPoints(mesh.vertices(), topology, result.values, execution.part(0.9, 0.95));
+  result.outputCounts = countsOf(result.critical.points);
+  if (parameters.method == SmoothingMethod::FeaturePreserving && data.range > 0.0)
+  {
+    result.lost = unmatchedExtrema(topology, values, extremaOf(result.critical.points),
+      parameters.persistenceThreshold * data.range + persistenceOfNoise(result.values - values),
+      execution.part(0.95, 1.0));
+  }
+  execution.report(1.0);
+  return result;
+}
+
+} // namespace SurfaceScalars

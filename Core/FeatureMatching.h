@@ -1,0 +1,42 @@
+#pragma once
+
+#include "MeshTopology.h"
+
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// Vertices at which a function has extrema.
+struct ExtremalVertices
+{
+  std::vector<Index> minima;
+  std::vector<Index> maxima;
+};
+
+/**
+ * The persistent extrema of a function for which another function has none.
+ *
+ * A maximum of f of persistence p owns the component of {f > f(maximum) - p} in which it lies: it
+ * is the highest there. If another function is nowhere farther than d from f and p > 2 d, it has a
+ * maximum in that component, of persistence at least p - 2 d, and it has as many of these as there
+ * are such maxima of f (stability of persistence). So each takes one of the given maxima in its
+ * component, which no other takes; one that finds none left is returned. Components are nested or
+ * disjoint, and the inner ones choose first: the number returned is as small as possible. Minima
+ * likewise.
+ *
+ * Where f is flat or noisy its extrema are far from those of the function without the noise: a
+ * distance would say little, the component is what noise of that size cannot change.
+ *
+ * Time O(n log n).
+ *
+ * @param values f, one per vertex, finite
+ * @param persistence extrema of more than this are asked for; a component's lowest and highest
+ * vertex have the component's range
+ * @returns vertices: minima, then maxima, each ascending
+ */
+SURFACESCALARSCORE_EXPORT std::vector<Index> unmatchedExtrema(const MeshTopology& mesh,
+  const ValuesRef& values, const ExtremalVertices& matches, double persistence,
+  const Execution& execution = {});
+
+} // namespace SurfaceScalars

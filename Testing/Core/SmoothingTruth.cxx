@@ -1,0 +1,214 @@
+// Prints what smoothing keeps of a function under noise, as tables in Markdown for Documentation.
+// The exit code tells whether FeaturePreserving keeps its promise.
+
+#include "MarkdownReport.h"
+#include "MeshExamples.h"
+#include "SmoothingRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace SurfaceScalars;
+using namespace SurfaceScalars::Truth;
+
+namespace
+{
+
+constexpr double NoiseLevels[] = { 0.01, 0.05, 0.1 };
+
+std::string textOf(const CriticalCounts& counts)
+{
+  return std::to_string(counts.minima) + "/" + std::to_string(counts.maxima) + "/" +
+    std::to_string(counts.saddles);
+}
+
+SpaceFunction along(int axis)
+{
+  const Vector3d direction = Vector3d::Unit(axis);
+  return { std::string(1, "xyz"[axis]), [=](const Vector3d& p) { return direction.dot(p); },
+    [=](const Vector3d&) { return direction; } };
+}
+
+std::vector<SmoothingCase> casesOf(bool reduced, const std::string& folder)
+{
+  std::vector<SmoothingCase> cases;
+  cases.emplace_back("sphere", subdividedSphere(reduced ? 5 : 6), waves(), 0.06);
+  cases.emplace_back(
+    "torus", reduced ? griddedTorus(140, 70, 0.3) : griddedTorus(280, 140, 0.3), waves(), 0.06);
+  if (!folder.empty())
+  {
+    const auto read = [&](const char* name)
+    { return centered(readOff(folder + "/" + name + ".off")); };
+    cases.emplace_back("refined_elephant", read("refined_elephant"), waves(), 0.08);
+    cases.emplace_back("bunny00", read("bunny00"), waves(), 0.05);
+    cases.emplace_back("camel", read("camel"), along(1), 0.08);
+  }
+  return cases;
+}
+
+/// A way to smooth, for comparison.
+struct Way
+{
+  const char* name;
+  SmoothingParameters parameters;
+};
+
+std::vector<Way> waysToCompare()
+{
+  Way preserving{ "FeaturePreserving", {} };
+  Way tikhonov{ "Tikhonov", {} };
+  tikhonov.parameters.method = SmoothingMethod::Tikhonov;
+  Way papersInterpolation{ "(6), harmonic, all critical points of f", {} };
+  papersInterpolation.parameters.method = SmoothingMethod::InterpolatingConstraints;
+  papersInterpolation.parameters.constraints = ConstraintChoice::AllCriticalPoints;
+  papersInterpolation.parameters.norms.energy = SmoothingEnergy::Harmonic;
+  papersInterpolation.parameters.smoothedStars = false;
+  Way interpolation{ "(6), biharmonic, persistent", {} };
+  interpolation.parameters.method = SmoothingMethod::InterpolatingConstraints;
+  Way papersLeastSquares{ "(7), all critical points of f", papersInterpolation.parameters };
+  papersLeastSquares.parameters.method = SmoothingMethod::LeastSquaresConstraints;
+  papersLeastSquares.parameters.norms.energy = SmoothingEnergy::Biharmonic;
+  Way leastSquares{ "(7), persistent", {} };
+  leastSquares.parameters.method = SmoothingMethod::LeastSquaresConstraints;
+  return { preserving, tikhonov, papersInterpolation, interpolation, papersLeastSquares,
+    leastSquares };
+}
+
+/// A row of each table of one case with one noise.
+class Comparison
+{
+public:
+  Comparison(const SmoothingCase& smoothingCase, const SmoothingMesh& mesh, double noise)
+    : case_(smoothingCase)
+    , mesh_(mesh)
+    , noise_(noise)
+    , values_(smoothingCase.noisy(noise, 1))
+  {
+  }
+
+  std::vector<std::string> promise(MarkdownReport& report)
+  {
+    const SmoothedFunction result = this->smooth(waysToCompare().front());
+    const SmoothingScore score = scoreOf(this->case_, result.values);
+    const double length = this->mesh_.smoother({}).smoothingLength(result.epsilon);
+    const bool kept = score.hasFeatures && score.largestDistance <= length && result.lost.empty() &&
+      textOf(score.counts) == textOf(result.outputCounts);
+    std::vector<std::string> row = this->head();
+    row.insert(row.end(),
+      { textOf(result.inputCounts), textOf(this->case_.counts), textOf(score.counts),
+        number("%.2f", score.largestDistance / length), number("%.4f", score.meanSquareError),
+        number("%.4f", score.largestError), number("%.3f", length), report.kept(kept) });
+    return row;
+  }
+
+  /// Counts and errors of all ways.
+  std::array<std::vector<std::string>, 3> rows() const
+  {
+    std::array<std::vector<std::string>, 3> result{ this->head(), this->head(), this->head() };
+    const auto add = [&](const ValuesRef& values, const std::string& remark)
+    {
+      const SmoothingScore score = scoreOf(this->case_, values);
+      result[0].push_back(textOf(score.counts) + remark);
+      result[1].push_back(number("%.4f", score.meanSquareError));
+      result[2].push_back(number("%.4f", score.largestError));
+    };
+    add(this->case_.clean, "");
+    add(this->values_, "");
+    for (const Way& way : waysToCompare())
+    {
+      add(this->smooth(way).values, "");
+    }
+    const Averaged averaged = bestAverage(this->case_, this->values_);
+    add(averaged.values, " (k " + std::to_string(averaged.times) + ")");
+    return result;
+  }
+
+private:
+  std::vector<std::string> head() const
+  {
+    return { this->case_.name, number("%g%%", 100.0 * this->noise_) };
+  }
+
+  SmoothedFunction smooth(const Way& way) const
+  {
+    SmoothingParameters parameters = way.parameters;
+    const double noisyRange = this->values_.maxCoeff() - this->values_.minCoeff();
+    parameters.persistenceThreshold = this->case_.threshold * this->case_.range / noisyRange;
+    return smoothFunction(this->mesh_, this->values_, parameters);
+  }
+
+  const SmoothingCase& case_;
+  const SmoothingMesh& mesh_;
+  double noise_;
+  Values values_;
+};
+
+using Table = std::vector<std::vector<std::string>>;
+
+void print(const MarkdownReport& report, const std::string& title,
+  const std::vector<std::string>& columns, const Table& table)
+{
+  report.head(title, columns);
+  for (const std::vector<std::string>& row : table)
+  {
+    report.row(row);
+  }
+}
+
+} // namespace
+
+// usage: surface-scalars-smoothing-truth [reduced] [compare] [meshes FOLDER]
+int main(int argumentCount, char** arguments)
+{
+  const std::vector<std::string> words(arguments + 1, arguments + argumentCount);
+  const auto find = [&](const char* word) { return std::find(words.begin(), words.end(), word); };
+  const auto meshes = find("meshes");
+  const std::string folder =
+    meshes == words.end() || meshes + 1 == words.end() ? std::string() : *(meshes + 1);
+  MarkdownReport report;
+  Table cases;
+  Table promises;
+  std::array<Table, 3> comparisons;
+  for (const SmoothingCase& smoothingCase : casesOf(find("reduced") != words.end(), folder))
+  {
+    cases.push_back({ smoothingCase.name, std::to_string(smoothingCase.mesh.points.cols()),
+      std::to_string(smoothingCase.mesh.eulerCharacteristic()),
+      number("%.3f", smoothingCase.gap.first), number("%.3f", smoothingCase.threshold),
+      number("%.3f", smoothingCase.gap.second), textOf(smoothingCase.counts) });
+    const SmoothingMesh mesh(smoothingCase.mesh.points, trianglesOf(smoothingCase.mesh));
+    for (const double noise : NoiseLevels)
+    {
+      Comparison comparison(smoothingCase, mesh, noise);
+      promises.push_back(comparison.promise(report));
+      if (find("compare") != words.end())
+      {
+        const auto rows = comparison.rows();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+        {
+          comparisons[i].push_back(rows[i]);
+        }
+      }
+    }
+  }
+  print(report, "The functions",
+    { "mesh", "vertices", "χ", "largest persistence below", "threshold", "smallest above",
+      "features m/M/s" },
+    cases);
+  print(report, "The promise",
+    { "mesh", "noise", "noisy m/M/s", "features m/M/s", "result m/M/s", "farthest, in lengths",
+      "L2 error", "L∞ error", "smoothing length", "kept" },
+    promises);
+  if (!comparisons[0].empty())
+  {
+    std::vector<std::string> columns{ "mesh", "noise", "clean", "noisy" };
+    for (const Way& way : waysToCompare())
+    {
+      columns.emplace_back(way.name);
+    }
+    columns.emplace_back("best average");
+    print(report, "Critical points m/M/s", columns, comparisons[0]);
+    print(report, "L2 error, of the range", columns, comparisons[1]);
+    print(report, "L∞ error, of the range", columns, comparisons[2]);
+  }
+  return report.exitCode();
+}
