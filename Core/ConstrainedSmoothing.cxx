@@ -79,7 +79,7 @@ void findEpsilon(SmoothedFunction& result, const TikhonovSmoother& smoother,
   result.epsilon = parameters.epsilon;
   if (parameters.epsilonChoice != EpsilonChoice::Manual)
   {
-    result.curve = parameterCurve(smoother, values, execution);
+    result.curve = parameterCurve(smoother, values, execution, parameters.epsilonChoice);
     result.epsilon = chooseEpsilon(result.curve, parameters.epsilonChoice);
   }
 }
@@ -88,14 +88,14 @@ void findEpsilon(SmoothedFunction& result, const TikhonovSmoother& smoother,
 Values smoothed(const SmoothingData& data, const SmoothingParameters& parameters, double epsilon,
   const Execution& execution)
 {
-  const Laplacian& laplacian = data.mesh.laplacian(parameters.norms.weights);
+  const auto laplacian = data.mesh.laplacian(parameters.norms.weights);
   const SmoothingEnergy energy = parameters.norms.energy;
   switch (parameters.method)
   {
     case SmoothingMethod::Tikhonov:
       return data.smooth;
     case SmoothingMethod::InterpolatingConstraints:
-      return interpolateConstraints(laplacian, energy,
+      return interpolateConstraints(*laplacian, energy,
         constraintsOf(data, parameters, execution.part(0.0, 0.2)), execution.part(0.2, 1.0),
         data.mesh.nameOf());
     case SmoothingMethod::LeastSquaresConstraints:

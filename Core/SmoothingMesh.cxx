@@ -17,10 +17,16 @@ SmoothingMesh::SmoothingMesh(
     "Remove such vertices.");
 }
 
-const Laplacian& SmoothingMesh::laplacian(
+std::shared_ptr<const Laplacian> SmoothingMesh::laplacian(
   LaplacianWeights weights, const Execution& execution) const
 {
-  return *this->sharedLaplacian(weights, execution);
+  auto& known = this->laplacians_[weights];
+  if (!known)
+  {
+    known = std::make_shared<const Laplacian>(
+      meshLaplacian(this->vertices_, this->topology_.triangles(), weights, execution));
+  }
+  return known;
 }
 
 const TikhonovSmoother& SmoothingMesh::smoother(
@@ -29,25 +35,13 @@ const TikhonovSmoother& SmoothingMesh::smoother(
   auto& smoother = this->smoothers_[{ norms.weights, norms.metric, norms.energy }];
   if (!smoother)
   {
-    const auto laplacian = this->sharedLaplacian(norms.weights, execution);
+    const auto laplacian = this->laplacian(norms.weights, execution);
     Eigen::SparseMatrix<double> metric =
       metricMatrix(norms.metric, *laplacian, this->vertices_, this->topology_.triangles());
     metric *= laplacian->mass.sum() / metric.sum();
     smoother = std::make_unique<const TikhonovSmoother>(laplacian, std::move(metric), norms.energy);
   }
   return *smoother;
-}
-
-std::shared_ptr<const Laplacian> SmoothingMesh::sharedLaplacian(
-  LaplacianWeights weights, const Execution& execution) const
-{
-  auto& laplacian = this->laplacians_[weights];
-  if (!laplacian)
-  {
-    laplacian = std::make_shared<const Laplacian>(
-      meshLaplacian(this->vertices_, this->topology_.triangles(), weights, execution));
-  }
-  return laplacian;
 }
 
 } // namespace SurfaceScalars

@@ -41,7 +41,8 @@ public:
   const VertexName& nameOf() const { return this->nameOf_; }
 
   /// @throws as meshLaplacian()
-  const Laplacian& laplacian(LaplacianWeights weights, const Execution& execution = {}) const;
+  std::shared_ptr<const Laplacian> laplacian(
+    LaplacianWeights weights, const Execution& execution = {}) const;
 
   /// Its metric sums to the sum of the Laplacian's mass, which is no area for NormalizedCotangent:
   /// so epsilon has no unit whatever the weights.
@@ -51,9 +52,6 @@ public:
 
 private:
   using SmootherKey = std::tuple<LaplacianWeights, DataMetric, SmoothingEnergy>;
-
-  std::shared_ptr<const Laplacian> sharedLaplacian(
-    LaplacianWeights weights, const Execution& execution) const;
 
   Points vertices_;
   VertexName nameOf_;
