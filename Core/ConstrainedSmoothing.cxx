@@ -126,14 +126,31 @@ CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
   return counts;
 }
 
-/// What noise adds to a persistence, at most: that of the size of what was removed.
-double persistenceOfNoise(const ValuesRef& removed)
+/// The standard deviation of errors that are independent from vertex to vertex, by the median of what
+/// neighbors do not predict: neither spikes nor smooth functions count.
+double noiseOf(const MeshTopology& mesh, const ValuesRef& values)
 {
-  const auto count = static_cast<std::size_t>(removed.size());
-  const double median = medianOfSome(
-    count, [&](std::size_t i) { return std::abs(removed[static_cast<Eigen::Index>(i)]); });
-  return 2.0 * DeviationPerMedian * median *
-    std::sqrt(2.0 * std::log(2.0 * static_cast<double>(count) / Improbable));
+  return DeviationPerMedian *
+    medianOfSome(mesh.vertexCount(),
+      [&](std::size_t i)
+      {
+        const VertexRange link = mesh.link(static_cast<Index>(i));
+        double sum = 0.0;
+        for (const Index neighbor : link)
+        {
+          sum += values[neighbor];
+        }
+        const double count = static_cast<double>(link.size());
+        return std::abs(values[static_cast<Eigen::Index>(i)] - sum / count) /
+          std::sqrt(1.0 + 1.0 / count);
+      });
+}
+
+/// What such errors change of persistences, at most.
+double persistenceOfNoise(const MeshTopology& mesh, const ValuesRef& values)
+{
+  const auto count = static_cast<double>(mesh.vertexCount());
+  return 2.0 * noiseOf(mesh, values) * std::sqrt(2.0 * std::log(2.0 * count / Improbable));
 }
 
 } // namespace
@@ -168,7 +185,7 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
   if (parameters.method == SmoothingMethod::FeaturePreserving && data.range > 0.0)
   {
     result.lost = unmatchedExtrema(topology, values, extremaOf(result.critical.points),
-      parameters.persistenceThreshold * data.range + persistenceOfNoise(result.values - values),
+      parameters.persistenceThreshold * data.range + persistenceOfNoise(topology, values),
       execution.part(0.95, 1.0));
   }
   execution.report(1.0);

@@ -74,10 +74,10 @@ struct SmoothedFunction
  *   than the largest persistence removed and mostly by half of it; there it is nearly flat.
  * - Every extremum of f whose persistence exceeds the threshold by more than noise explains has one
  *   of the result for itself, in the component that it owns (FeatureMatching.h), or is in `lost`.
- *   Noise explains 2 d, with d = s sqrt(2 log(2 n / 0.01)): of n normal errors of standard
- * deviation s, all are below d with probability 0.99; s is measured on what was removed from f, by
- * the median of its magnitude, that single spikes do not move. Where noise is much stronger in
- * places than elsewhere, more is called lost than is.
+ *   Noise explains 2 d, with d = s sqrt(2 log(2 n / 0.01)): of n independent normal errors of
+ *   standard deviation s, all are below d with probability 0.99. s is measured on differences from
+ *   the mean of the neighbors, by their median, which single spikes do not move. Where noise is much
+ *   stronger in places than elsewhere, or depends on the neighbors', more is called lost than is.
  *
  * InterpolatingConstraints and LeastSquaresConstraints constrain vertices, and with includeOneStars
  * their neighbors. Critical points of f, or marked vertices, keep values of f; `Persistent` ones,
