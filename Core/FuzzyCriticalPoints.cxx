@@ -157,8 +157,9 @@ void CriticalSearch::measurePersistence()
   {
     return;
   }
-  const std::vector<CriticalPair> pairs = assignPersistence(
-    this->result_.points, this->graph_, this->sweep_.values, this->execution_.part(0.85, 1.0));
+  const double reach = std::sqrt(this->scale_.neighborCount / Pi);
+  const std::vector<CriticalPair> pairs = assignPersistence(this->result_.points, this->graph_,
+    this->sweep_.values, reach, this->execution_.part(0.85, 1.0));
   if (this->parameters_.persistenceThreshold > 0.0)
   {
     removeBelow(this->result_.points, pairs, this->parameters_.persistenceThreshold);

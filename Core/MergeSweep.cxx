@@ -9,8 +9,7 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double LeastResolutions = 4.0; // more than that is seen by the sampling
-constexpr double MostResolutions = 8.0;  // between a saddle's value and where the graph passes it
+constexpr double MostResolutions = 8.0; // between a saddle's value and where the graph passes it
 
 } // namespace
 
@@ -116,14 +115,6 @@ std::vector<std::size_t> MergeSweep::saddlesBetween(
   return common;
 }
 
-void MergeSweep::note(std::size_t point, double persistence)
-{
-  if (persistence >= LeastResolutions * this->all_.places[point].resolution)
-  {
-    this->all_.seen[point] = std::max(this->all_.seen[point], persistence);
-  }
-}
-
 void MergeSweep::endAtSaddle(const MergeComponent& younger, std::size_t saddle)
 {
   if (younger.extremum != NoPoint)
@@ -132,7 +123,7 @@ void MergeSweep::endAtSaddle(const MergeComponent& younger, std::size_t saddle)
   }
   else
   {
-    this->note(saddle, std::abs(this->height(saddle) - younger.birth));
+    this->all_.note(saddle, std::abs(this->height(saddle) - younger.birth));
   }
 }
 
@@ -149,7 +140,7 @@ void MergeSweep::endAtSample(
     for (const std::size_t point :
       found != this->uncertainAt_.end() ? found->second : std::vector<std::size_t>())
     {
-      this->all_.seen[point] = std::max(this->all_.seen[point], persistence);
+      this->all_.note(point, persistence);
     }
   };
   noteAt(sample);

@@ -3,6 +3,7 @@
 #include "MergeTrees.h"
 #include "Persistence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -15,11 +16,15 @@ namespace SurfaceScalars
 /// In place of the index of a critical point.
 constexpr std::size_t NoPoint = std::numeric_limits<std::size_t>::max();
 
+/// What differs from a critical point by more of its resolutions is seen by the sampling.
+constexpr double LeastResolutions = 4.0;
+
 /// Where a critical point lies among the samples.
 struct CriticalPlace
 {
-  std::vector<Index> samples; ///< nearest first
+  std::vector<Index> samples; ///< those it may belong to, nearest first
   double step;                ///< sampling step
+  double radius;              ///< within which f~ at the samples need not show it
   double resolution;          ///< by how much f~ at the nearest samples differs from its value
 };
 
@@ -42,6 +47,10 @@ struct CriticalPairing
     this->points[extremum].persistence = persistence;
     this->pairs.push_back({ extremum, saddle, persistence });
     --this->freeCount[saddle];
+  }
+  void note(std::size_t point, double persistence)
+  {
+    this->seen[point] = std::max(this->seen[point], persistence);
   }
 };
 
@@ -115,7 +124,6 @@ private:
   void endAtSample(
     const MergeComponent& younger, Index sample, const std::vector<std::size_t>& saddles);
   void absorb(MergeComponent& elder, MergeComponent& younger);
-  void note(std::size_t point, double persistence);
 
   CriticalPairing& all_;
   const MergeTree& tree_;

@@ -57,20 +57,24 @@ struct CriticalPair
  *   deeper sample that is not critical (at the boundary, say), has the graph's persistence;
  * - a second extremum in the same basin pairs with a saddle close by that is left over, or else
  *   has persistence 0;
- * - a saddle that only joins extrema of the graph has the largest persistence of those, unless that
- *   is too little for the sampling to resolve; one that joins nothing has f's range: a handle;
+ * - a saddle that only joins extrema of the graph has the largest persistence of those;
+ * - one that joins nothing that the samples resolve has f's range if it is that of a handle: if a
+ *   loop that descends from it on both sides, or one that rises, does not cut the surface in two.
+ *   Otherwise it has the persistence of what is cut off (Jordan), or of the little that it joins;
  * - an uncertain point has the persistence of the graph's own extrema and merges close to it.
  *
  * The global extrema of a connected component have f's range, too. The persistence of a point in
  * several pairs is the largest.
  *
  * @param values f~ at the points of the graph, finite
+ * @param reach of the fits that f~ is made of, in sampling steps: one centered at a critical point
+ * and those around may see it a part of that apart
  * @returns the pairs of critical points, both known; removing a pair keeps the sum of the indices
  * @throws InvalidInput for another number of values; Aborted
  */
 SURFACESCALARSCORE_EXPORT std::vector<CriticalPair> assignPersistence(
   std::vector<CriticalPoint>& points, const NeighborGraph& graph, const ValuesRef& values,
-  const Execution& execution = {});
+  double reach = 0.0, const Execution& execution = {});
 
 /**
  * Removes the critical points of less persistence than `threshold` (f's unit): of a pair both, a

@@ -1,0 +1,209 @@
+#include "SaddlePersistence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr double RingRadius = 2.0;  // in radii of what need not show the saddle
+constexpr double LesserShare = 0.5; // of that, on narrow surfaces
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+SaddlePersistence::SaddlePersistence(const NeighborGraph& graph, const ValuesRef& values)
+  : graph_(graph)
+  , values_(values)
+  , marks_(graph.pointCount(), 0)
+  , parents_(graph.pointCount())
+{
+}
+
+SaddlePersistence::Sectors SaddlePersistence::sectorsOf(
+  const Samples& ring, double value, double sign)
+{
+  const int unseen = ++this->lastMark_;
+  for (const Index sample : ring)
+  {
+    if (sign * (this->values_[sample] - value) > 0.0)
+    {
+      this->marks_[sample] = unseen;
+    }
+  }
+  Sectors sectors;
+  for (const Index seed : ring)
+  {
+    Samples sector;
+    const auto visit = [&](Index sample)
+    {
+      if (this->marks_[sample] == unseen)
+      {
+        this->marks_[sample] = 0;
+        sector.push_back(sample);
+      }
+    };
+    visit(seed);
+    for (std::size_t i = 0; i < sector.size(); ++i)
+    {
+      const Neighbors around = this->graph_.neighbors(sector[i]);
+      std::for_each(around.begin(), around.end(), visit);
+    }
+    if (sector.size() > sectors.first.size())
+    {
+      sectors.first.swap(sector);
+    }
+    if (sector.size() > sectors.second.size())
+    {
+      sectors.second.swap(sector);
+    }
+  }
+  return sectors;
+}
+
+/// Through open points, from both ends by turns: in the time that the lesser of two components
+/// takes if there is no path.
+template <class Predicate>
+SaddlePersistence::Connection SaddlePersistence::connect(
+  const Sectors& ends, const Predicate& isOpen)
+{
+  std::array<Samples, 2> visited{ ends.first, ends.second };
+  const std::array<int, 2> marks{ this->lastMark_ + 1, this->lastMark_ + 2 };
+  this->lastMark_ += 2;
+  for (std::size_t side = 0; side < 2; ++side)
+  {
+    for (const Index sample : visited[side])
+    {
+      this->marks_[sample] = marks[side];
+      this->parents_[sample] = sample;
+    }
+  }
+  Samples path;
+  const auto trace = [&](Index sample)
+  {
+    for (; this->parents_[sample] != sample; sample = this->parents_[sample])
+    {
+      path.push_back(sample);
+    }
+    path.push_back(sample);
+  };
+  for (std::size_t i = 0; i < visited[0].size() && i < visited[1].size(); ++i)
+  {
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      const Index sample = visited[side][i];
+      for (const Index neighbor : this->graph_.neighbors(sample))
+      {
+        if (this->marks_[neighbor] == marks[1 - side])
+        {
+          trace(sample);
+          trace(neighbor);
+          return { std::move(path), {} };
+        }
+        if (this->marks_[neighbor] != marks[side] && isOpen(neighbor))
+        {
+          this->marks_[neighbor] = marks[side];
+          this->parents_[neighbor] = sample;
+          visited[side].push_back(neighbor);
+        }
+      }
+    }
+  }
+  return { {}, std::move(visited[visited[0].size() < visited[1].size() ? 0 : 1]) };
+}
+
+/// What no path may touch that shall not cross the loop.
+int SaddlePersistence::buildWall(const Samples& center, const Sectors& loop, const Samples& path)
+{
+  const int wall = ++this->lastMark_;
+  for (const Samples* part : { &center, &loop.first, &loop.second })
+  {
+    for (const Index sample : *part)
+    {
+      this->marks_[sample] = wall;
+    }
+  }
+  for (const Index sample : path)
+  {
+    this->marks_[sample] = wall;
+    for (const Index neighbor : this->graph_.neighbors(sample))
+    {
+      this->marks_[neighbor] = wall;
+    }
+  }
+  return wall;
+}
+
+double SaddlePersistence::extent(const Samples& samples, double value, double sign) const
+{
+  double largest = 0.0;
+  for (const Index sample : samples)
+  {
+    largest = std::max(largest, sign * (this->values_[sample] - value));
+  }
+  return largest;
+}
+
+/// What a loop through two sectors above the saddle, or below for sign -1, cuts off.
+SaddlePersistence::Cut SaddlePersistence::cutBy(
+  const Sectors& loop, const Sectors& sides, const Samples& center, double value, double sign)
+{
+  const Connection way = this->connect(loop,
+    [&](Index sample)
+    {
+      return sign * (this->values_[sample] - value) > 0.0 &&
+        !std::binary_search(center.begin(), center.end(), sample);
+    });
+  if (way.path.empty())
+  {
+    return { false, this->extent(way.enclosed, value, sign) }; // which the saddle itself connects
+  }
+  const int wall = this->buildWall(center, loop, way.path);
+  const auto isFree = [&](Index sample) { return this->marks_[sample] != wall; };
+  Sectors free;
+  std::copy_if(sides.first.begin(), sides.first.end(), std::back_inserter(free.first), isFree);
+  std::copy_if(sides.second.begin(), sides.second.end(), std::back_inserter(free.second), isFree);
+  const Connection around = this->connect(free, isFree);
+  return { true, around.path.empty() ? this->extent(around.enclosed, value, -sign) : Infinity };
+}
+
+double SaddlePersistence::measureAround(const Vector3d& place, double value, double radius)
+{
+  Neighborhood around;
+  this->graph_.within(place, radius, around);
+  Samples center = around.indices;
+  std::sort(center.begin(), center.end());
+  this->graph_.within(place, RingRadius * radius, around);
+  Samples ring;
+  std::copy_if(around.indices.begin(), around.indices.end(), std::back_inserter(ring),
+    [&](Index sample) { return !std::binary_search(center.begin(), center.end(), sample); });
+  const Sectors below = this->sectorsOf(ring, value, -1.0);
+  const Sectors above = this->sectorsOf(ring, value, 1.0);
+  if (below.second.empty() || above.second.empty())
+  {
+    return 0.0;
+  }
+  const Cut lower = this->cutBy(below, above, center, value, -1.0);
+  if (lower.persistence == Infinity)
+  {
+    return Infinity;
+  }
+  const Cut upper = this->cutBy(above, below, center, value, 1.0);
+  // Two loops that cut the surface meet twice: at the saddle and at another of the same value.
+  return lower.isClosed && upper.isClosed ? Infinity
+                                          : std::max(lower.persistence, upper.persistence);
+}
+
+double SaddlePersistence::measure(const Vector3d& place, double value, double radius)
+{
+  const double persistence = this->measureAround(place, value, radius);
+  return persistence > 0.0 ? persistence : this->measureAround(place, value, LesserShare * radius);
+}
+
+} // namespace SurfaceScalars
