@@ -8,7 +8,7 @@ namespace SurfaceScalars
 {
 
 /// What a place is to a function. The numbers are fixed: output arrays and files keep them.
-enum class CriticalType
+enum class CriticalType : signed char
 {
   Excluded = -1, ///< no value there
   Minimum = 0,

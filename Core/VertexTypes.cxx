@@ -14,7 +14,7 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr std::size_t Grain = 65536;
+constexpr std::size_t Grain = 16384;
 
 /// Adds to each vertex in how many of these triangles it is in the middle. Sorted by index, two
 /// corners are in order of value, ties by index, if the value does not fall: no case of its own.
@@ -29,11 +29,12 @@ void countMiddles(const MeshTopology& mesh, const double* value, Eigen::Index be
     const Index a = std::min(low, corners[2]);
     const Index b = std::min(high, std::max(low, corners[2]));
     const Index c = std::max(high, corners[2]);
-    const bool ab = value[a] <= value[b];
-    const bool bc = value[b] <= value[c];
-    const bool ac = value[a] <= value[c];
-    const Index first = ab == ac ? c : a;
-    ++counts[ab == bc ? b : first];
+    const Index ab = value[a] <= value[b] ? 1 : 0;
+    const Index bc = value[b] <= value[c] ? 1 : 0;
+    const Index ac = value[a] <= value[c] ? 1 : 0;
+    const Index chooseOuter = 0u - (ab ^ bc); // all bits or none: noise makes branches slow
+    const Index chooseFirst = 0u - (ab ^ ac);
+    ++counts[b ^ ((b ^ c ^ ((a ^ c) & chooseFirst)) & chooseOuter)];
   }
 }
 
@@ -58,6 +59,38 @@ std::vector<Index> middleCounts(
       }
     });
   std::transform(others.begin(), others.end(), counts.begin(), counts.begin(), std::plus<>());
+  return counts;
+}
+
+/// From the changes of sign in place of the multiplicities. Extrema are looked at in a second pass:
+/// where they are cannot be foreseen.
+CriticalCounts concludeTypes(
+  const MeshTopology& mesh, const ValuesRef& values, Index begin, Index end, VertexTypes& result)
+{
+  CriticalCounts counts;
+  std::vector<Index> extrema(end - begin);
+  std::size_t extremumCount = 0;
+  for (Index vertex = begin; vertex < end; ++vertex)
+  {
+    const Index changes = result.multiplicities[vertex];
+    const bool isInside = mesh.isClosed() || !mesh.isBoundary(vertex);
+    extrema[extremumCount] = vertex;
+    extremumCount += changes == 0 ? 1 : 0;
+    const Index multiplicity = std::max(1u, isInside ? changes / 2 : changes) - 1;
+    result.multiplicities[vertex] = multiplicity;
+    result.types[vertex] = multiplicity > 0 ? CriticalType::Saddle : CriticalType::Regular;
+    counts.saddles += multiplicity;
+  }
+  const ValueOrder isBelow{ values.data() };
+  for (std::size_t i = 0; i < extremumCount; ++i)
+  {
+    const Index vertex = extrema[i];
+    const bool isMinimum = isBelow(vertex, *mesh.linkPath(vertex).begin());
+    result.types[vertex] = isMinimum ? CriticalType::Minimum : CriticalType::Maximum;
+    result.multiplicities[vertex] = 1;
+    counts.minima += isMinimum ? 1 : 0;
+    counts.maxima += isMinimum ? 0 : 1;
+  }
   return counts;
 }
 
@@ -86,29 +119,12 @@ VertexTypes classifyVertices(
   VertexTypes result;
   result.types.resize(mesh.vertexCount());
   result.multiplicities = middleCounts(mesh, values, execution.part(0.0, 0.8));
-  const ValueOrder isBelow{ values.data() };
   std::mutex mutex; // for result.counts
   parallelFor(mesh.vertexCount(), Grain, execution.part(0.8, 1.0),
     [&](std::size_t begin, std::size_t end)
     {
-      CriticalCounts counts;
-      for (auto vertex = static_cast<Index>(begin); vertex < end; ++vertex)
-      {
-        CriticalType& type = result.types[vertex];
-        Index& multiplicity = result.multiplicities[vertex]; // as yet the changes of sign
-        if (multiplicity == 0)
-        {
-          const bool isMinimum = isBelow(vertex, *mesh.linkPath(vertex).begin());
-          type = isMinimum ? CriticalType::Minimum : CriticalType::Maximum;
-          multiplicity = 1;
-          ++(isMinimum ? counts.minima : counts.maxima);
-          continue;
-        }
-        const bool isInside = mesh.isClosed() || !mesh.isBoundary(vertex);
-        multiplicity = (isInside ? multiplicity / 2 : multiplicity) - 1;
-        type = multiplicity > 0 ? CriticalType::Saddle : CriticalType::Regular;
-        counts.saddles += multiplicity;
-      }
+      const CriticalCounts counts =
+        concludeTypes(mesh, values, static_cast<Index>(begin), static_cast<Index>(end), result);
       const std::lock_guard<std::mutex> lock(mutex);
       result.counts.minima += counts.minima;
       result.counts.saddles += counts.saddles;

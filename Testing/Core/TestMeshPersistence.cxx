@@ -256,7 +256,7 @@ TEST(MeshPersistence, removingPairsKeepsEulersSum)
       for (int step = 0; step <= 100; ++step)
       {
         std::vector<CriticalPoint> kept = all.points;
-        removeBelow(kept, all.pairs, rangeOf(values) * step / 100.0);
+        removeBelow(kept, all.pairs, rangeOf(values) * (step / 100.0));
         ASSERT_EQ(indexSum(kept), named.eulerCharacteristic) << named.name << ", " << name;
         std::map<std::size_t, int> multiplicities;
         for (const CriticalPoint& point : kept)

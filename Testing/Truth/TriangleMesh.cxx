@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -160,6 +162,34 @@ void addPairs(std::vector<std::vector<double>>& persistences, const std::vector<
   }
 }
 
+constexpr std::streamsize RestOfLine = std::numeric_limits<std::streamsize>::max();
+
+std::istringstream withoutComments(const std::string& fileName)
+{
+  std::ifstream file(fileName);
+  std::string text;
+  for (std::string line; std::getline(file, line);)
+  {
+    text += line.substr(0, line.find('#')) + '\n';
+  }
+  return std::istringstream(text);
+}
+
+/// As a fan around its first corner. What else is in the line is a color.
+void addFace(TriangleMesh& mesh, std::istream& file)
+{
+  int count = 0;
+  std::array<int, 3> triangle{};
+  file >> count >> triangle[0] >> triangle[2];
+  for (int corner = 2; corner < count; ++corner)
+  {
+    triangle[1] = triangle[2];
+    file >> triangle[2];
+    mesh.triangles.push_back(triangle);
+  }
+  file.ignore(RestOfLine, '\n');
+}
+
 } // namespace
 
 int TriangleMesh::eulerCharacteristic() const
@@ -178,30 +208,32 @@ int TriangleMesh::eulerCharacteristic() const
 
 TriangleMesh readOff(const std::string& fileName)
 {
-  std::ifstream file(fileName);
+  std::istringstream file = withoutComments(fileName);
   std::string word;
   int pointCount = 0;
   int faceCount = 0;
   int edgeCount = 0;
-  if (!(file >> word >> pointCount >> faceCount >> edgeCount) || word != "OFF")
+  if (!(file >> word >> pointCount >> faceCount >> edgeCount) || (word != "OFF" && word != "COFF"))
   {
     throw std::runtime_error(fileName + " is not in OFF format");
   }
   TriangleMesh mesh;
   mesh.points.resize(3, pointCount);
-  for (double& coordinate : mesh.points.reshaped())
+  for (Eigen::Index i = 0; i < pointCount; ++i)
   {
-    file >> coordinate;
-  }
-  mesh.triangles.resize(static_cast<std::size_t>(faceCount));
-  for (std::array<int, 3>& triangle : mesh.triangles)
-  {
-    int count = 0;
-    file >> count >> triangle[0] >> triangle[1] >> triangle[2];
-    if (!file || count != 3)
+    file >> mesh.points(0, i) >> mesh.points(1, i) >> mesh.points(2, i);
+    if (word == "COFF")
     {
-      throw std::runtime_error(fileName + " ends early or has faces that are no triangles");
+      file.ignore(RestOfLine, '\n');
     }
+  }
+  for (int face = 0; face < faceCount; ++face)
+  {
+    addFace(mesh, file);
+  }
+  if (!file)
+  {
+    throw std::runtime_error(fileName + " ends early");
   }
   return mesh;
 }

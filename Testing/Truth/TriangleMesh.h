@@ -20,7 +20,8 @@ struct TriangleMesh
   int eulerCharacteristic() const;
 };
 
-/// @throws std::runtime_error unless the file is in OFF format and all its faces are triangles
+/// Faces of more corners are cut into triangles, and colors are ignored.
+/// @throws std::runtime_error unless the file is in OFF format
 TriangleMesh readOff(const std::string& fileName);
 
 /**
