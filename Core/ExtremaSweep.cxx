@@ -1,25 +1,26 @@
 #include "ExtremaSweep.h"
 
-#include "Error.h"
+#include "PitOrder.h"
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <queue>
-#include <string>
 
 namespace SurfaceScalars
 {
 namespace
 {
 
-constexpr int MostSweeps = 128;
+constexpr int NaturalSweeps = 4; // an even number; more take only narrow strips
 
 /// One sweep upwards. Downwards is upwards in the reversed order.
 class ExtremaSweep
 {
 public:
+  /// @param pitOrder for pits, or null to visit the lowest of a pit first
   ExtremaSweep(const MeshTopology& mesh, const VertexOrder& order, std::vector<char> isFirst,
-    const Execution& execution)
+    PitOrder* pitOrder, const Execution& execution)
     : mesh_(mesh)
     , order_(order)
     , execution_(execution)
@@ -31,7 +32,12 @@ public:
       if (this->isReached_[order.vertexAt(place)] != 0) // otherwise it is in a pit
       {
         this->visit(place, place);
+        const std::size_t first = this->visited_.size();
         this->fillPit(place);
+        if (pitOrder && this->visited_.size() > first)
+        {
+          pitOrder->sort(order.vertexAt(place), this->visited_, first);
+        }
       }
     }
   }
@@ -100,11 +106,16 @@ VertexOrder orderWithExtrema(const MeshTopology& mesh, VertexOrder order,
   const ExtremumSigns& signs, const Execution& execution)
 {
   int sign = 1;
-  for (int count = 0; count < MostSweeps; ++count)
+  for (int done = 0; done < NaturalSweeps + 2; ++done)
   {
-    ExtremaSweep sweep(mesh, order, withSign(signs, sign),
-      execution.part(count / (count + 1.0), (count + 1.0) / (count + 2.0)));
-    if (count > 0 && !sweep.foundPits())
+    std::unique_ptr<PitOrder> pitOrder;
+    if (done >= NaturalSweeps)
+    {
+      pitOrder = std::make_unique<PitOrder>(mesh, withSign(signs, -sign));
+    }
+    ExtremaSweep sweep(mesh, order, withSign(signs, sign), pitOrder.get(),
+      execution.part(done / (done + 1.0), (done + 1.0) / (done + 2.0)));
+    if (done > 0 && !sweep.foundPits())
     {
       return sign > 0 ? std::move(order) : order.reversed();
     }
@@ -113,9 +124,7 @@ VertexOrder orderWithExtrema(const MeshTopology& mesh, VertexOrder order,
     order = VertexOrder(std::move(visited));
     sign = -sign;
   }
-  throw Error("the topological simplification left extrema that were not asked for after " +
-    std::to_string(MostSweeps) + " sweeps over " + std::to_string(mesh.vertexCount()) +
-    " vertices.");
+  return order;
 }
 
 } // namespace SurfaceScalars
