@@ -12,8 +12,8 @@ namespace
 constexpr double TouchRadius = 2.5; // in sampling steps: what lies within is at a critical point
 constexpr double TouchShare = 0.5;  // and within this part of the reach of the fits
 constexpr double PairRadius = 10.0; // of extrema and saddles between which the graph has no barrier
-constexpr std::size_t SaddlesPerBlock = 16;
-constexpr std::size_t NearSamples = 6; // whose values tell what the sampling can resolve
+constexpr std::size_t SaddleBlocks = 8; // at most
+constexpr std::size_t NearSamples = 6;  // whose values tell what the sampling can resolve
 
 CriticalPlace placeOf(
   const CriticalPoint& point, const NeighborGraph& graph, const ValuesRef& values, double reach)
@@ -82,7 +82,7 @@ std::vector<std::size_t> openSaddles(const CriticalPairing& all)
 void followLoops(CriticalPairing& all, double range, const Execution& execution)
 {
   const std::vector<std::size_t> saddles = openSaddles(all);
-  parallelFor(saddles.size(), SaddlesPerBlock, execution,
+  parallelFor(saddles.size(), 1 + saddles.size() / SaddleBlocks, execution,
     [&](std::size_t begin, std::size_t end)
     {
       SaddlePersistence loops(all.graph, all.values);

@@ -150,27 +150,30 @@ double SaddlePersistence::extent(const Samples& samples, double value, double si
   return largest;
 }
 
-/// What a loop through two sectors above the saddle, or below for sign -1, cuts off.
-SaddlePersistence::Cut SaddlePersistence::cutBy(
-  const Sectors& loop, const Sectors& sides, const Samples& center, double value, double sign)
+/// From one sector to the other, above the saddle or below for sign -1, not through the saddle.
+SaddlePersistence::Connection SaddlePersistence::close(
+  const Sectors& loop, const Samples& center, double value, double sign)
 {
-  const Connection way = this->connect(loop,
+  return this->connect(loop,
     [&](Index sample)
     {
       return sign * (this->values_[sample] - value) > 0.0 &&
         !std::binary_search(center.begin(), center.end(), sample);
     });
-  if (way.path.empty())
-  {
-    return { false, this->extent(way.enclosed, value, sign) }; // which the saddle itself connects
-  }
-  const int wall = this->buildWall(center, loop, way.path);
+}
+
+/// What a loop through two sectors cuts off of the sides between, of this sign; infinity if
+/// nothing.
+double SaddlePersistence::cut(const Sectors& loop, const Samples& path, const Sectors& sides,
+  const Samples& center, double value, double sign)
+{
+  const int wall = this->buildWall(center, loop, path);
   const auto isFree = [&](Index sample) { return this->marks_[sample] != wall; };
   Sectors free;
   std::copy_if(sides.first.begin(), sides.first.end(), std::back_inserter(free.first), isFree);
   std::copy_if(sides.second.begin(), sides.second.end(), std::back_inserter(free.second), isFree);
   const Connection around = this->connect(free, isFree);
-  return { true, around.path.empty() ? this->extent(around.enclosed, value, -sign) : Infinity };
+  return around.path.empty() ? this->extent(around.enclosed, value, sign) : Infinity;
 }
 
 double SaddlePersistence::measureAround(const Vector3d& place, double value, double radius)
@@ -189,15 +192,20 @@ double SaddlePersistence::measureAround(const Vector3d& place, double value, dou
   {
     return 0.0;
   }
-  const Cut lower = this->cutBy(below, above, center, value, -1.0);
-  if (lower.persistence == Infinity)
+  const Connection lower = this->close(below, center, value, -1.0);
+  const Connection upper = this->close(above, center, value, 1.0);
+  if (!lower.path.empty() && !upper.path.empty())
   {
-    return Infinity;
+    return Infinity; // loops that cut the surface meet twice, these at the saddle only
   }
-  const Cut upper = this->cutBy(above, below, center, value, 1.0);
-  // Two loops that cut the surface meet twice: at the saddle and at another of the same value.
-  return lower.isClosed && upper.isClosed ? Infinity
-                                          : std::max(lower.persistence, upper.persistence);
+  // Sides that are not connected yet end at the saddle.
+  const double ofLower = lower.path.empty()
+    ? this->extent(lower.enclosed, value, -1.0)
+    : this->cut(below, lower.path, above, center, value, 1.0);
+  const double ofUpper = upper.path.empty()
+    ? this->extent(upper.enclosed, value, 1.0)
+    : this->cut(above, upper.path, below, center, value, -1.0);
+  return std::max(ofLower, ofUpper);
 }
 
 double SaddlePersistence::measure(const Vector3d& place, double value, double radius)

@@ -49,20 +49,14 @@ private:
     Samples enclosed;
   };
 
-  /// What a loop cuts off; infinite if nothing.
-  struct Cut
-  {
-    bool isClosed; ///< without the saddle itself
-    double persistence;
-  };
-
   Sectors sectorsOf(const Samples& ring, double value, double sign);
   template <class Predicate>
   Connection connect(const Sectors& ends, const Predicate& isOpen);
   int buildWall(const Samples& center, const Sectors& loop, const Samples& path);
   double extent(const Samples& samples, double value, double sign) const;
-  Cut cutBy(
-    const Sectors& loop, const Sectors& sides, const Samples& center, double value, double sign);
+  Connection close(const Sectors& loop, const Samples& center, double value, double sign);
+  double cut(const Sectors& loop, const Samples& path, const Sectors& sides, const Samples& center,
+    double value, double sign);
   double measureAround(const Vector3d& place, double value, double radius);
 
   const NeighborGraph& graph_;
