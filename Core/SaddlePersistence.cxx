@@ -50,9 +50,10 @@ SaddlePersistence::Sectors SaddlePersistence::sectorsOf(
       }
     };
     visit(seed);
-    for (std::size_t i = 0; i < sector.size(); ++i)
+    std::size_t next = 0;
+    while (next < sector.size())
     {
-      const Neighbors around = this->graph_.neighbors(sector[i]);
+      const Neighbors around = this->graph_.neighbors(sector[next++]);
       std::for_each(around.begin(), around.end(), visit);
     }
     if (sector.size() > sectors.first.size())
