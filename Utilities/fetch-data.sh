@@ -31,8 +31,8 @@ unpack() {
 }
 
 # A file appears under its own name only when it is complete.
-meshes="refined_elephant bunny00 armadillo camel femur"
-if [ ! -s "$folder/building.ply" ] || [ ! -s "$folder/femur.off" ]; then
+meshes="refined_elephant bunny00 armadillo camel femur turbine"
+if [ ! -s "$folder/building.ply" ] || [ ! -s "$folder/turbine.off" ]; then
   unpack libcgal-demo cgal
   tar xzf "$scratch/cgal/usr/share/doc/libcgal-dev/data.tar.gz" -C "$scratch" data
   mv "$scratch/data/points_3/building.ply" "$folder/"

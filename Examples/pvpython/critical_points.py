@@ -103,7 +103,8 @@ GetColorTransferFunction(name).ApplyPreset("Cool to Warm (Extended)", True)
 mark(Tube(Input=contours, Radius=0.0025 * size), right, [0.1, 0.1, 0.1])
 for kind, color in [(0, [0.1, 0.2, 0.9]), (1, [0.1, 0.7, 0.2]), (3, [0.9, 0.1, 0.1]), (4, [0.5, 0.5, 0.5])]:
     if (types == kind).any():
-        ofKind = Threshold(Input=points, Scalars=["POINTS", "CriticalType"], LowerThreshold=kind, UpperThreshold=kind)
+        ofKind = Threshold(Input=points, Scalars=["POINTS", "CriticalType"],
+                           LowerThreshold=kind - 0.5, UpperThreshold=kind + 0.5)
         mark(Glyph(Input=ofKind, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=["POINTS", "No scale array"],
                    OrientationArray=["POINTS", "No orientation array"], ScaleFactor=0.022 * size), right, color)
 
