@@ -19,19 +19,26 @@ ComponentMeans::ComponentMeans(const Laplacian& laplacian, Values weights)
 {
   for (std::size_t i = 0; i < this->components_.size(); ++i)
   {
-    this->totals_[this->components_[i]] += this->weights_[static_cast<Eigen::Index>(i)];
+    const auto vertex = static_cast<Eigen::Index>(i);
+    this->totals_[this->components_[i]] += this->weights_[vertex];
+    if (this->components_[i] == static_cast<int>(this->firsts_.size()))
+    {
+      this->firsts_.push_back(vertex);
+    }
   }
 }
 
 Values ComponentMeans::of(const ValuesRef& function) const
 {
+  const Values firsts = function(this->firsts_); // about which sums of constants are exact
   Values sums = Values::Zero(this->count());
   for (std::size_t i = 0; i < this->components_.size(); ++i)
   {
     const auto vertex = static_cast<Eigen::Index>(i);
-    sums[this->components_[i]] += this->weights_[vertex] * function[vertex];
+    sums[this->components_[i]] +=
+      this->weights_[vertex] * (function[vertex] - firsts[this->components_[i]]);
   }
-  return this->spread(sums.cwiseQuotient(this->totals_));
+  return this->spread(firsts + sums.cwiseQuotient(this->totals_));
 }
 
 Values ComponentMeans::unit(Eigen::Index component) const

@@ -41,9 +41,9 @@ public:
 
   const Values& solution() const { return this->solution_; }
   double error() const { return largest(this->error_); } ///< of the solution, estimated
-  bool isSolved(double tolerance) const
+  bool isSolved(double tolerance, double least = 0.0) const
   {
-    return this->error() <= tolerance * largest(this->solution_);
+    return this->error() <= tolerance * std::max(largest(this->solution_), least);
   }
 
   void beginAnew(); ///< Without the rounding errors of the residual.
@@ -132,7 +132,7 @@ void Iteration::biconjugateGradients()
 } // namespace
 
 Values PreconditionedSystem::solve(
-  const ValuesRef& right, double goal, const Execution& execution) const
+  const ValuesRef& right, double goal, const Execution& execution, double least) const
 {
   const Values copy = right;
   Iteration iteration(*this, copy, goal, execution);
@@ -149,7 +149,8 @@ Values PreconditionedSystem::solve(
     }
     iteration.beginAnew();
   }
-  if (!iteration.isSolved(std::max(smallError, LargestError)) || !iteration.solution().allFinite())
+  if (!iteration.isSolved(std::max(smallError, LargestError), least) ||
+    !iteration.solution().allFinite())
   {
     throw Error("a linear system of " + std::to_string(right.size()) +
       " equations was not solved: the error is still about " + textOf(iteration.error()) +

@@ -25,9 +25,11 @@ struct PreconditionedSystem
   /**
    * @param goal of the estimated error, relative to the largest component of the solution, at which
    * the steps end; if rounding errors leave a hundred times as much, they begin anew
+   * @param least where the solution is smaller, in the end the error is relative to this
    * @throws Error if the error is not below the greater of 1e-6 and 100 goal in the end; Aborted
    */
-  Values solve(const ValuesRef& right, double goal, const Execution& execution) const;
+  Values solve(
+    const ValuesRef& right, double goal, const Execution& execution, double least = 0.0) const;
 };
 
 } // namespace SurfaceScalars

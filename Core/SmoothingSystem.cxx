@@ -86,6 +86,10 @@ void SmoothingSystem::prepare(double weight, const Execution& execution)
   {
     this->cholesky_ = std::make_unique<SparseCholesky>(this->toBeFactored(weight), execution);
   }
+  if (this->isSplit())
+  {
+    this->rounded_ = std::make_unique<RoundedFactor>(this->cholesky_->rounded());
+  }
   this->preparedWeight_ = weight;
 }
 
@@ -96,31 +100,33 @@ Values SmoothingSystem::preconditioned(const Values& residual, const Execution& 
   {
     result = this->multigrid_->apply(residual, execution);
   }
+  else if (this->rounded_)
+  {
+    result = this->rounded_->solve(residual);
+    execution.report(0.0);
+    result = this->rounded_->solve(this->laplacian_->mass.cwiseProduct(result));
+  }
   else
   {
     result = this->cholesky_->solve(residual);
-    if (this->isSplit())
-    {
-      execution.report(0.0);
-      result = this->cholesky_->solve(this->laplacian_->mass.cwiseProduct(result));
-    }
   }
   return this->isSymmetric() ? Values(result - this->means_.of(result)) : result;
 }
 
 Values SmoothingSystem::solve(
-  const Values& right, double weight, double goal, const Execution& execution)
+  const Values& right, double weight, double goal, double least, const Execution& execution)
 {
   const double area = this->laplacian_->mass.sum();
-  const double least = LeastEpsilon / this->rowSums_.sum() *
+  const double leastWeight = LeastEpsilon / this->rowSums_.sum() *
     (this->energy_ == SmoothingEnergy::Harmonic ? 1.0 : 1.0 / area);
-  this->prepare(this->isSymmetric() ? std::max(weight, least) : weight, execution.part(0.0, 0.5));
+  this->prepare(
+    this->isSymmetric() ? std::max(weight, leastWeight) : weight, execution.part(0.0, 0.5));
   const auto matrix = [&](const Values& vector, const Execution& polling) -> Values
   { return this->energyProduct(vector, polling) + weight * this->metricProduct(vector, polling); };
   const auto preconditioner = [&](const Values& residual, const Execution& polling)
   { return this->preconditioned(residual, polling); };
   return PreconditionedSystem{ matrix, preconditioner, this->isSymmetric() }.solve(
-    right, goal, execution.part(0.5, 1.0));
+    right, goal, execution.part(0.5, 1.0), least);
 }
 
 } // namespace SurfaceScalars

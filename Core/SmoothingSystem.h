@@ -27,8 +27,9 @@ public:
   Values metricProduct(const Values& vector, const Execution& execution) const; ///< W v
 
   /// @param right its sum over each component is 0, and so is that of W x
-  /// @param goal as of PreconditionedSystem
-  Values solve(const Values& right, double weight, double goal, const Execution& execution);
+  /// @param goal, least as of PreconditionedSystem
+  Values solve(
+    const Values& right, double weight, double goal, double least, const Execution& execution);
 
 private:
   bool isSymmetric() const ///< of the whole matrix
@@ -54,6 +55,7 @@ private:
 
   double preparedWeight_ = 0.0;              ///< for which these are; 0 = none
   std::unique_ptr<SparseCholesky> cholesky_; ///< biharmonic
+  std::unique_ptr<RoundedFactor> rounded_;   ///< of these, if split
   std::unique_ptr<Multigrid> multigrid_;     ///< harmonic
 };
 

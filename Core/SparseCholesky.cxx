@@ -17,20 +17,70 @@
 namespace SurfaceScalars
 {
 
+namespace
+{
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+#ifdef SURFACE_SCALARS_CHOLMOD
+class Decomposition : public Eigen::CholmodSupernodalLLT<Matrix>
+{
+public:
+  Decomposition()
+  {
+    this->cholmod().print = 0; // nothing: errors are thrown
+  }
+
+  RoundedFactor rounded() const
+  {
+    const cholmod_factor& factor = *this->m_cholmodFactor;
+    const auto* order = static_cast<const int*>(factor.Perm);
+    const auto* first = static_cast<const int*>(factor.super);
+    const auto* rows = static_cast<const int*>(factor.s);
+    const auto* rowsBegin = static_cast<const int*>(factor.pi);
+    const auto* valuesBegin = static_cast<const int*>(factor.px);
+    const auto* values = static_cast<const double*>(factor.x);
+    const Eigen::Map<const Values> all(values, static_cast<Eigen::Index>(factor.xsize));
+    RoundedFactor result({ order, order + factor.n }, all.lpNorm<Eigen::Infinity>());
+    for (std::size_t block = 0; block < factor.nsuper; ++block)
+    {
+      result.append(first[block + 1] - first[block],
+        { rows + rowsBegin[block], rows + rowsBegin[block + 1] }, values + valuesBegin[block]);
+    }
+    return result;
+  }
+};
+#else
+class Decomposition : public Eigen::SimplicialLLT<Matrix>
+{
+public:
+  RoundedFactor rounded() const
+  {
+    const Matrix& factor = this->matrixL().nestedExpression();
+    const auto& order = this->permutationPinv().indices();
+    RoundedFactor result({ order.begin(), order.end() },
+      Eigen::Map<const Values>(factor.valuePtr(), factor.nonZeros()).lpNorm<Eigen::Infinity>());
+    for (Eigen::Index column = 0; column < factor.cols(); ++column)
+    {
+      const int begin = factor.outerIndexPtr()[column];
+      result.append(1,
+        { factor.innerIndexPtr() + begin,
+          factor.innerIndexPtr() + factor.outerIndexPtr()[column + 1] },
+        factor.valuePtr() + begin);
+    }
+    return result;
+  }
+};
+#endif
+
+} // namespace
+
 struct SparseCholesky::Factors
 {
-  using Matrix = Eigen::SparseMatrix<double>;
-#ifdef SURFACE_SCALARS_CHOLMOD
-  Eigen::CholmodSupernodalLLT<Matrix> decomposition;
-#else
-  Eigen::SimplicialLLT<Matrix> decomposition;
-#endif
+  Decomposition decomposition;
 
   explicit Factors(const Matrix& matrix)
   {
-#ifdef SURFACE_SCALARS_CHOLMOD
-    this->decomposition.cholmod().print = 0; // nothing: errors are thrown
-#endif
     this->decomposition.analyzePattern(matrix);
     this->factor(matrix);
   }
@@ -72,6 +122,11 @@ void SparseCholesky::refactor(
 Values SparseCholesky::solve(const ValuesRef& rightSide) const
 {
   return this->factors_->decomposition.solve(rightSide);
+}
+
+RoundedFactor SparseCholesky::rounded() const
+{
+  return this->factors_->decomposition.rounded();
 }
 
 } // namespace SurfaceScalars

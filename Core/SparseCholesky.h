@@ -2,6 +2,7 @@
 
 #include "Basics.h"
 #include "Execution.h"
+#include "RoundedFactor.h"
 
 #include <Eigen/SparseCore>
 
@@ -35,6 +36,7 @@ public:
     const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution);
 
   Values solve(const ValuesRef& rightSide) const;
+  RoundedFactor rounded() const;
 
 private:
   struct Factors;

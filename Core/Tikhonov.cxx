@@ -18,6 +18,7 @@ namespace SurfaceScalars
 namespace
 {
 
+constexpr double NegligibleShare = 0.1; // of f: where less is left, errors are compared with this
 constexpr double Flat = 8 * std::numeric_limits<double>::epsilon(); // no more than rounding errors
 
 /// Where the lumped mass is not that of triangles, it is this.
@@ -99,7 +100,8 @@ Values TikhonovSmoother::smooth(
   }
   const double weight = this->weight(epsilon);
   const Values right = weight * this->system_->metricProduct(rest / scale, execution.part(0, 0));
-  const Values smoothed = this->system_->solve(right, weight, accuracy / 100.0, execution);
+  const Values smoothed =
+    this->system_->solve(right, weight, accuracy / 100.0, NegligibleShare, execution);
   return values - (rest - scale * smoothed);
 }
 

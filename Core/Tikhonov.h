@@ -68,10 +68,10 @@ public:
    * (42 * 4 pi)^2
    * @param accuracy of the estimated error relative to the largest |x|, means apart
    * @throws InvalidInput for other values or epsilon; Error if the error is above 1e-6 and accuracy
-   * in the end; Aborted
+   * in the end, relative to a tenth of f where x is smaller; Aborted
    */
   Values smooth(const ValuesRef& values, double epsilon, const Execution& execution = {},
-    double accuracy = 1e-9) const;
+    double accuracy = 1e-7) const;
 
   double energy(const ValuesRef& values) const;                  ///< at least 0
   double distance(const ValuesRef& a, const ValuesRef& b) const; ///< ||a - b||_W
