@@ -16,7 +16,9 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double Improbable = 0.01; // that any of n normal errors is beyond what noise explains
+constexpr double PlacingLength = 1.5; // in smoothing lengths
+constexpr double PlacingNoise = 4.0;  // standard deviations: about three of a difference
+constexpr double Improbable = 0.01;   // that any of n normal errors is beyond what noise explains
 constexpr double DeviationPerMedian = 1.4826; // of the magnitudes of normal errors
 
 void checkFraction(double fraction, const std::string& name)
@@ -84,50 +86,8 @@ void findEpsilon(SmoothedFunction& result, const TikhonovSmoother& smoother,
   }
 }
 
-/// What is left of f.
-Values smoothed(const SmoothingData& data, const SmoothingParameters& parameters, double epsilon,
-  const Execution& execution)
-{
-  const auto laplacian = data.mesh.laplacian(parameters.norms.weights);
-  const SmoothingEnergy energy = parameters.norms.energy;
-  switch (parameters.method)
-  {
-    case SmoothingMethod::Tikhonov:
-      return data.smooth;
-    case SmoothingMethod::InterpolatingConstraints:
-      return interpolateConstraints(*laplacian, energy,
-        constraintsOf(data, parameters, execution.part(0.0, 0.2)), execution.part(0.2, 1.0),
-        data.mesh.nameOf());
-    case SmoothingMethod::LeastSquaresConstraints:
-      return fitConstraints(laplacian, energy,
-        constraintsOf(data, parameters, execution.part(0.0, 0.2)), epsilon,
-        execution.part(0.2, 1.0), data.mesh.nameOf());
-    case SmoothingMethod::FeaturePreserving:
-    {
-      const ExtremalVertices kept = extremaToKeep(data, parameters, execution.part(0.0, 0.3));
-      return keepExtrema(data.mesh.topology(), data.smooth, kept.minima, kept.maxima,
-        execution.part(0.3, 1.0), data.mesh.nameOf());
-    }
-  }
-  throw InvalidInput("a method from 0 to 3", std::to_string(static_cast<int>(parameters.method)),
-    "Choose one of these.");
-}
-
-CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
-{
-  CriticalCounts counts;
-  for (const CriticalPoint& point : points)
-  {
-    Index& count = point.type == CriticalType::Minimum ? counts.minima
-      : point.type == CriticalType::Maximum            ? counts.maxima
-                                                       : counts.saddles;
-    count += static_cast<Index>(point.multiplicity);
-  }
-  return counts;
-}
-
-/// The standard deviation of errors that are independent from vertex to vertex, by the median of what
-/// neighbors do not predict: neither spikes nor smooth functions count.
+/// The standard deviation of errors that are independent from vertex to vertex, by the median of
+/// what neighbors do not predict: neither spikes nor smooth functions count.
 double noiseOf(const MeshTopology& mesh, const ValuesRef& values)
 {
   return DeviationPerMedian *
@@ -151,6 +111,63 @@ double persistenceOfNoise(const MeshTopology& mesh, const ValuesRef& values)
 {
   const auto count = static_cast<double>(mesh.vertexCount());
   return 2.0 * noiseOf(mesh, values) * std::sqrt(2.0 * std::log(2.0 * count / Improbable));
+}
+
+/// The smooth function with the extrema that are to be kept, placed by further smoothing as far as
+/// the noise that is left allows.
+Values withFeatures(const SmoothingData& data, const SmoothingParameters& parameters,
+  double epsilon, const Execution& execution)
+{
+  const MeshTopology& topology = data.mesh.topology();
+  const TikhonovSmoother& smoother = data.mesh.smoother(parameters.norms);
+  const double length = smoother.smoothingLength(epsilon);
+  const ExtremalVertices kept = extremaToKeep(data, parameters, execution.part(0.0, 0.2));
+  const Values further = smoother.smooth(
+    data.input, smoother.epsilonOfLength(PlacingLength * length), execution.part(0.2, 0.6));
+  // The integral of the squared gain over all frequencies: a sixteenth of the vertices per length.
+  const double perLength = std::sqrt(smoother.area() / topology.vertexCount()) / length;
+  const double left = noiseOf(topology, data.input) * std::min(1.0, perLength / 4.0);
+  const ExtremalVertices extrema = placed(data, kept, further, PlacingNoise * left);
+  return keepExtrema(topology, data.smooth, extrema.minima, extrema.maxima,
+    execution.part(0.6, 1.0), data.mesh.nameOf());
+}
+
+/// What is left of f.
+Values smoothed(const SmoothingData& data, const SmoothingParameters& parameters, double epsilon,
+  const Execution& execution)
+{
+  const auto laplacian = data.mesh.laplacian(parameters.norms.weights);
+  const SmoothingEnergy energy = parameters.norms.energy;
+  switch (parameters.method)
+  {
+    case SmoothingMethod::Tikhonov:
+      return data.smooth;
+    case SmoothingMethod::InterpolatingConstraints:
+      return interpolateConstraints(*laplacian, energy,
+        constraintsOf(data, parameters, execution.part(0.0, 0.2)), execution.part(0.2, 1.0),
+        data.mesh.nameOf());
+    case SmoothingMethod::LeastSquaresConstraints:
+      return fitConstraints(laplacian, energy,
+        constraintsOf(data, parameters, execution.part(0.0, 0.2)), epsilon,
+        execution.part(0.2, 1.0), data.mesh.nameOf());
+    case SmoothingMethod::FeaturePreserving:
+      return withFeatures(data, parameters, epsilon, execution);
+  }
+  throw InvalidInput("a method from 0 to 3", std::to_string(static_cast<int>(parameters.method)),
+    "Choose one of these.");
+}
+
+CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
+{
+  CriticalCounts counts;
+  for (const CriticalPoint& point : points)
+  {
+    Index& count = point.type == CriticalType::Minimum ? counts.minima
+      : point.type == CriticalType::Maximum            ? counts.maxima
+                                                       : counts.saddles;
+    count += static_cast<Index>(point.multiplicity);
+  }
+  return counts;
 }
 
 } // namespace

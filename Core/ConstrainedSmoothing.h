@@ -62,22 +62,29 @@ struct SmoothedFunction
  * 2. The extrema of the smooth function that `constraints` chooses are to be kept; by default those
  *    whose persistence is at least the threshold. A difference of 1e-9 of f's range is rounding,
  *    not a feature. The lowest and the highest vertex of each component are always kept.
- * 3. keepExtrema(): all other extrema, and the saddles that cancel them, are removed.
- * 4. The values are classified again, and compared with f: see `lost`.
+ * 3. Where an extremum is, is a matter of the gradient, in which noise is stronger than in the
+ *    values: each moves to the place it has if f is smoothed with 1.5 times the smoothing length,
+ *    unless the values there and here differ by more than the noise that is left.
+ * 4. keepExtrema(): all other extrema, and the saddles that cancel them, are removed. The values
+ * are classified again, and compared with f: see `lost`.
  *
  * What is promised, and what is not:
- * - The minima and maxima of the result are exactly those kept, at the vertices at which the smooth
- *   function has them: not at those of f, where noise has moved them.
+ * - The result has exactly as many minima and maxima as were chosen, near those of the smooth
+ *   function: not at those of f, where noise has moved them.
  * - On a closed mesh there are as many saddles, counted with multiplicity, as Euler's formula asks
  *   for; the two of each handle always remain. Where they lie is not promised.
- * - The result differs from the smooth function only around extrema that were removed, by no more
- *   than the largest persistence removed and mostly by half of it; there it is nearly flat.
+ * - The result differs from Tikhonov's only around extrema that were removed or moved, by about
+ *   half of the persistence removed; there it is nearly flat.
+ * - How far an extremum is from that of f without noise depends on how curved f is there: within
+ *   the smoothing length in the cases of Documentation/smoothing-accuracy.md, farther where f is
+ *   flat.
  * - Every extremum of f whose persistence exceeds the threshold by more than noise explains has one
  *   of the result for itself, in the component that it owns (FeatureMatching.h), or is in `lost`.
  *   Noise explains 2 d, with d = s sqrt(2 log(2 n / 0.01)): of n independent normal errors of
  *   standard deviation s, all are below d with probability 0.99. s is measured on differences from
- *   the mean of the neighbors, by their median, which single spikes do not move. Where noise is much
- *   stronger in places than elsewhere, or depends on the neighbors', more is called lost than is.
+ *   the mean of the neighbors, by their median, which single spikes do not move. Where noise is
+ * much stronger in places than elsewhere, or depends on the neighbors', more is called lost than
+ * is.
  *
  * InterpolatingConstraints and LeastSquaresConstraints constrain vertices, and with includeOneStars
  * their neighbors. Critical points of f, or marked vertices, keep values of f; `Persistent` ones,

@@ -1,7 +1,9 @@
 #include "SmoothingFeatures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace SurfaceScalars
@@ -97,6 +99,59 @@ std::vector<Index> verticesOf(const std::vector<CriticalPoint>& points)
   return result;
 }
 
+/// The first vertex of steps to the first neighbor.
+template <class Order>
+Index endOfSteps(const MeshTopology& mesh, Index vertex, const Order& isBefore)
+{
+  for (Index last = vertex;; last = vertex)
+  {
+    for (const Index neighbor : mesh.link(last))
+    {
+      vertex = isBefore(neighbor, vertex) ? neighbor : vertex;
+    }
+    if (vertex == last)
+    {
+      return vertex;
+    }
+  }
+}
+
+/// To the ends of their steps, but for those that share one and those that would not be near.
+template <class Order, class Nearness>
+std::vector<Index> movedAlong(const MeshTopology& mesh, const std::vector<Index>& vertices,
+  const Order& isBefore, const Nearness& isNear)
+{
+  std::map<Index, int> arrivals;
+  for (const Index vertex : vertices)
+  {
+    ++arrivals[endOfSteps(mesh, vertex, isBefore)];
+  }
+  std::vector<Index> result;
+  for (const Index vertex : vertices)
+  {
+    const Index end = endOfSteps(mesh, vertex, isBefore);
+    result.push_back(arrivals[end] == 1 && isNear(vertex, end) ? end : vertex);
+  }
+  return result;
+}
+
+/// Whether no two of the vertices are neighbors.
+bool areApart(const MeshTopology& mesh, const std::vector<Index>& vertices)
+{
+  std::vector<char> isOne(mesh.vertexCount(), 0);
+  for (const Index vertex : vertices)
+  {
+    isOne[vertex] = 1;
+  }
+  return std::none_of(vertices.begin(), vertices.end(),
+    [&](Index vertex)
+    {
+      const VertexRange link = mesh.link(vertex);
+      return std::any_of(
+        link.begin(), link.end(), [&](Index neighbor) { return isOne[neighbor] != 0; });
+    });
+}
+
 } // namespace
 
 ExtremalVertices extremaOf(const std::vector<CriticalPoint>& points)
@@ -125,6 +180,20 @@ ExtremalVertices extremaToKeep(
   ExtremalVertices result = extremaOf(points);
   addComponentExtrema(result, data.mesh.topology(), data.smooth);
   return result;
+}
+
+ExtremalVertices placed(const SmoothingData& data, const ExtremalVertices& extrema,
+  const Values& further, double tolerance)
+{
+  const MeshTopology& topology = data.mesh.topology();
+  const auto isBelow = [&](Index a, Index b)
+  { return further[a] < further[b] || (further[a] == further[b] && a < b); };
+  const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
+  const auto isNear = [&](Index a, Index b)
+  { return std::abs(data.smooth[a] - data.smooth[b]) <= tolerance; };
+  const ExtremalVertices moved{ movedAlong(topology, extrema.minima, isBelow, isNear),
+    movedAlong(topology, extrema.maxima, isAbove, isNear) };
+  return areApart(topology, moved.minima) && areApart(topology, moved.maxima) ? moved : extrema;
 }
 
 std::vector<ValueConstraint> constraintsOf(

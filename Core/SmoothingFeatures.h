@@ -24,6 +24,14 @@ ExtremalVertices extremaOf(const std::vector<CriticalPoint>& points);
 ExtremalVertices extremaToKeep(
   const SmoothingData& data, const SmoothingParameters& parameters, const Execution& execution);
 
+/**
+ * Extrema of the smooth function, moved to where a function smoothed further has them: where
+ * steepest steps lead from there. Those from which they lead to the same place remain where they
+ * are, and those whose value in the smooth function would differ by more than the tolerance.
+ */
+ExtremalVertices placed(const SmoothingData& data, const ExtremalVertices& extrema,
+  const Values& further, double tolerance);
+
 /// The values asked for at constrained vertices, by vertex.
 std::vector<ValueConstraint> constraintsOf(
   const SmoothingData& data, const SmoothingParameters& parameters, const Execution& execution);

@@ -104,6 +104,7 @@ CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
 SmoothingCase::SmoothingCase(
   std::string caseName, TriangleMesh onMesh, const SpaceFunction& function, double leastPersistence)
   : name(std::move(caseName))
+  , functionName(function.name)
   , mesh(std::move(onMesh))
   , clean(valuesOf(function, this->mesh.points))
   , range(this->clean.maxCoeff() - this->clean.minCoeff())

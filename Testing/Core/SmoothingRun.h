@@ -15,6 +15,7 @@ namespace SurfaceScalars::Truth
 struct SmoothingCase
 {
   std::string name;
+  std::string functionName;
   TriangleMesh mesh;
   Values clean;
   double range;                        ///< of clean

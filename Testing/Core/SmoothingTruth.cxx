@@ -2,7 +2,7 @@
 // The exit code tells whether FeaturePreserving keeps its promise.
 
 #include "MarkdownReport.h"
-#include "MeshExamples.h"
+#include "Meshes.h"
 #include "SmoothingRun.h"
 
 #include <algorithm>
@@ -22,26 +22,32 @@ std::string textOf(const CriticalCounts& counts)
     std::to_string(counts.saddles);
 }
 
-SpaceFunction along(int axis)
+SpaceFunction longWaves()
 {
-  const Vector3d direction = Vector3d::Unit(axis);
-  return { std::string(1, "xyz"[axis]), [=](const Vector3d& p) { return direction.dot(p); },
-    [=](const Vector3d&) { return direction; } };
+  return { "sin 3x cos 2y + 0.3 z",
+    [](const Vector3d& p) { return std::sin(3.0 * p.x()) * std::cos(2.0 * p.y()) + 0.3 * p.z(); },
+    {} };
+}
+
+SpaceFunction slantedHeight()
+{
+  return { "0.22 x + 0.52 y + 0.82 z",
+    [](const Vector3d& p) { return p.dot(Vector3d(0.22, 0.52, 0.82)); }, {} };
 }
 
 std::vector<SmoothingCase> casesOf(bool reduced, const std::string& folder)
 {
   std::vector<SmoothingCase> cases;
-  cases.emplace_back("sphere", subdividedSphere(reduced ? 5 : 6), waves(), 0.06);
+  const int fineness = reduced ? 1 : 2;
+  cases.emplace_back("sphere", subdividedSphere(5 + fineness), waves(), 0.06);
   cases.emplace_back(
-    "torus", reduced ? griddedTorus(140, 70, 0.3) : griddedTorus(280, 140, 0.3), waves(), 0.06);
+    "torus", gridMesh(Grid::Torus, 140 * fineness, 70 * fineness), cosinesOfAngles(), 0.2);
   if (!folder.empty())
   {
-    const auto read = [&](const char* name)
-    { return centered(readOff(folder + "/" + name + ".off")); };
+    const auto read = [&](const char* name) { return readCentered(folder + "/" + name + ".off"); };
     cases.emplace_back("refined_elephant", read("refined_elephant"), waves(), 0.08);
-    cases.emplace_back("bunny00", read("bunny00"), waves(), 0.05);
-    cases.emplace_back("camel", read("camel"), along(1), 0.08);
+    cases.emplace_back("bunny00", read("bunny00"), longWaves(), 0.04);
+    cases.emplace_back("camel", read("camel"), slantedHeight(), 0.056);
   }
   return cases;
 }
@@ -171,7 +177,8 @@ int main(int argumentCount, char** arguments)
   std::array<Table, 3> comparisons;
   for (const SmoothingCase& smoothingCase : casesOf(find("reduced") != words.end(), folder))
   {
-    cases.push_back({ smoothingCase.name, std::to_string(smoothingCase.mesh.points.cols()),
+    cases.push_back({ smoothingCase.name, smoothingCase.functionName,
+      std::to_string(smoothingCase.mesh.points.cols()),
       std::to_string(smoothingCase.mesh.eulerCharacteristic()),
       number("%.3f", smoothingCase.gap.first), number("%.3f", smoothingCase.threshold),
       number("%.3f", smoothingCase.gap.second), textOf(smoothingCase.counts) });
@@ -191,8 +198,8 @@ int main(int argumentCount, char** arguments)
     }
   }
   print(report, "The functions",
-    { "mesh", "vertices", "χ", "largest persistence below", "threshold", "smallest above",
-      "features m/M/s" },
+    { "mesh", "function", "vertices", "χ", "largest persistence below", "threshold",
+      "smallest above", "features m/M/s" },
     cases);
   print(report, "The promise",
     { "mesh", "noise", "noisy m/M/s", "features m/M/s", "result m/M/s", "farthest, in lengths",
