@@ -45,10 +45,13 @@ void checkInput(
   require(values.size() == count, "one value per vertex",
     std::to_string(values.size()) + " values for " + std::to_string(count) + " vertices",
     "Choose another array.");
-  for (Index vertex = 0; vertex < count; ++vertex)
+  const auto wrong = std::find_if_not(
+    values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  if (wrong != values.end())
   {
-    require(std::isfinite(values[vertex]), "finite values",
-      textOf(values[vertex]) + " at vertex " + std::to_string(nameOfVertex(vertex, mesh.nameOf())),
+    const auto vertex = static_cast<Index>(wrong - values.begin());
+    throw InvalidInput("finite values",
+      textOf(*wrong) + " at vertex " + std::to_string(nameOfVertex(vertex, mesh.nameOf())),
       "Remove such vertices, or give them a value.");
   }
   require(std::isfinite(values.maxCoeff() - values.minCoeff()), "values of finite range",
@@ -170,6 +173,21 @@ CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
   return counts;
 }
 
+/// Nothing is lost that was not chosen for its persistence.
+std::vector<Index> lostExtrema(const SmoothingData& data, const SmoothingParameters& parameters,
+  const std::vector<CriticalPoint>& kept, const Execution& execution)
+{
+  const bool areAll = parameters.constraints == ConstraintChoice::AllCriticalPoints;
+  if (!areAll && parameters.constraints != ConstraintChoice::Persistent)
+  {
+    return {};
+  }
+  const MeshTopology& topology = data.mesh.topology();
+  const double threshold = areAll ? 0.0 : parameters.persistenceThreshold * data.range;
+  return unmatchedExtrema(topology, data.input, extremaOf(kept),
+    threshold + persistenceOfNoise(topology, data.input), execution);
+}
+
 } // namespace
 
 SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& values,
@@ -183,16 +201,16 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
   SmoothingData data{ mesh, values, {}, values.maxCoeff() - values.minCoeff() };
   if (data.range > 0.0)
   {
-    const TikhonovSmoother& smoother = mesh.smoother(parameters.norms, execution.part(0.02, 0.2));
+    const TikhonovSmoother& smoother = mesh.smoother(parameters.norms, execution.part(0.02, 0.05));
     if (needSmooth(parameters) || parameters.method == SmoothingMethod::LeastSquaresConstraints)
     {
-      findEpsilon(result, smoother, values, parameters, execution.part(0.2, 0.6));
+      findEpsilon(result, smoother, values, parameters, execution.part(0.05, 0.75));
     }
     if (needSmooth(parameters))
     {
-      data.smooth = smoother.smooth(values, result.epsilon, execution.part(0.6, 0.7));
+      data.smooth = smoother.smooth(values, result.epsilon, execution.part(0.75, 0.8));
     }
-    result.values = smoothed(data, parameters, result.epsilon, execution.part(0.7, 0.9));
+    result.values = smoothed(data, parameters, result.epsilon, execution.part(0.8, 0.9));
     result.largestError = (result.values - values).lpNorm<Eigen::Infinity>();
     result.seminorm = std::sqrt(smoother.energy(result.values));
   }
@@ -201,9 +219,7 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
   result.outputCounts = countsOf(result.critical.points);
   if (parameters.method == SmoothingMethod::FeaturePreserving && data.range > 0.0)
   {
-    result.lost = unmatchedExtrema(topology, values, extremaOf(result.critical.points),
-      parameters.persistenceThreshold * data.range + persistenceOfNoise(topology, values),
-      execution.part(0.95, 1.0));
+    result.lost = lostExtrema(data, parameters, result.critical.points, execution.part(0.95, 1.0));
   }
   execution.report(1.0);
   return result;

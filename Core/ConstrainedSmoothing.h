@@ -51,7 +51,7 @@ struct SmoothedFunction
   CriticalCounts outputCounts;
   double largestError = 0.0; ///< max |values - f|
   double seminorm = 0.0;     ///< root of the energy of values
-  std::vector<Index> lost; ///< of FeaturePreserving: persistent extrema of f without a counterpart
+  std::vector<Index> lost;   ///< persistent extrema of f without a counterpart
 };
 
 /**
@@ -66,7 +66,7 @@ struct SmoothedFunction
  *    values: each moves to the place it has if f is smoothed with 1.5 times the smoothing length,
  *    unless the values there and here differ by more than the noise that is left.
  * 4. keepExtrema(): all other extrema, and the saddles that cancel them, are removed. The values
- * are classified again, and compared with f: see `lost`.
+ *    are classified again, and compared with f: see `lost`.
  *
  * What is promised, and what is not:
  * - The result has exactly as many minima and maxima as were chosen, near those of the smooth
@@ -78,20 +78,21 @@ struct SmoothedFunction
  * - How far an extremum is from that of f without noise depends on how curved f is there: within
  *   the smoothing length in the cases of Documentation/smoothing-accuracy.md, farther where f is
  *   flat.
- * - Every extremum of f whose persistence exceeds the threshold by more than noise explains has one
- *   of the result for itself, in the component that it owns (FeatureMatching.h), or is in `lost`.
- *   Noise explains 2 d, with d = s sqrt(2 log(2 n / 0.01)): of n independent normal errors of
- *   standard deviation s, all are below d with probability 0.99. s is measured on differences from
- *   the mean of the neighbors, by their median, which single spikes do not move. Where noise is
- * much stronger in places than elsewhere, or depends on the neighbors', more is called lost than
- * is.
+ * - Of AllCriticalPoints and Persistent ones: every extremum of f whose persistence exceeds the
+ *   threshold by more than noise explains has one of the result for itself, in the component that
+ *   it owns (FeatureMatching.h), or is in `lost`. Noise explains 2 d, with
+ *   d = s sqrt(2 log(2 n / 0.01)): of n independent normal errors of standard deviation s, all are
+ *   below d with probability 0.99. s is measured on differences from the mean of the neighbors, by
+ *   their median, which single spikes do not move. Where noise is much stronger in places than
+ *   elsewhere, or depends on that of the neighbors, more is called lost than is.
  *
  * InterpolatingConstraints and LeastSquaresConstraints constrain vertices, and with includeOneStars
  * their neighbors. Critical points of f, or marked vertices, keep values of f; `Persistent` ones,
  * if smoothedStars, are those of smoothed f and keep its values, as all neighbors do then. Neither
  * the type of constrained vertices nor the absence of other critical points is promised: the
- * paper's claim that they remain critical holds with their stars constrained, and does not exclude
- * others. Of LeastSquaresConstraints, epsilon is that of smoothing f.
+ * paper's claim that they remain critical holds if their stars are constrained to the same
+ * function, and does not exclude others. Of LeastSquaresConstraints, epsilon is that of smoothing
+ * f.
  *
  * A constant f comes back as it is.
  *

@@ -92,6 +92,7 @@ std::vector<Index> markedVertices(const std::vector<char>& mask)
 std::vector<Index> verticesOf(const std::vector<CriticalPoint>& points)
 {
   std::vector<Index> result;
+  result.reserve(points.size());
   for (const CriticalPoint& point : points)
   {
     result.push_back(static_cast<Index>(point.input));

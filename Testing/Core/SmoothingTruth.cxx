@@ -94,7 +94,8 @@ public:
 
   std::vector<std::string> promise(MarkdownReport& report)
   {
-    const SmoothedFunction result = this->smooth(waysToCompare().front());
+    const SmoothedFunction result = this->smooth({});
+    this->epsilon_ = result.epsilon;
     const SmoothingScore score = scoreOf(this->case_, result.values);
     const double length = this->mesh_.smoother({}).smoothingLength(result.epsilon);
     const bool kept = score.hasFeatures && score.largestDistance <= length && result.lost.empty() &&
@@ -107,7 +108,7 @@ public:
     return row;
   }
 
-  /// Counts and errors of all ways.
+  /// Counts and errors of all ways, once the promise is known.
   std::array<std::vector<std::string>, 3> rows() const
   {
     std::array<std::vector<std::string>, 3> result{ this->head(), this->head(), this->head() };
@@ -122,7 +123,10 @@ public:
     add(this->values_, "");
     for (const Way& way : waysToCompare())
     {
-      add(this->smooth(way).values, "");
+      SmoothingParameters parameters = way.parameters;
+      parameters.epsilonChoice = EpsilonChoice::Manual; // the same for all
+      parameters.epsilon = this->epsilon_;
+      add(this->smooth(parameters).values, "");
     }
     const Averaged averaged = bestAverage(this->case_, this->values_);
     add(averaged.values, " (k " + std::to_string(averaged.times) + ")");
@@ -135,9 +139,8 @@ private:
     return { this->case_.name, number("%g%%", 100.0 * this->noise_) };
   }
 
-  SmoothedFunction smooth(const Way& way) const
+  SmoothedFunction smooth(SmoothingParameters parameters) const
   {
-    SmoothingParameters parameters = way.parameters;
     const double noisyRange = this->values_.maxCoeff() - this->values_.minCoeff();
     parameters.persistenceThreshold = this->case_.threshold * this->case_.range / noisyRange;
     return smoothFunction(this->mesh_, this->values_, parameters);
@@ -147,6 +150,7 @@ private:
   const SmoothingMesh& mesh_;
   double noise_;
   Values values_;
+  double epsilon_ = 0.0; ///< by cross-validation
 };
 
 using Table = std::vector<std::vector<std::string>>;
