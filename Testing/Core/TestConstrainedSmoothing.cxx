@@ -1,5 +1,6 @@
 #include "ConstrainedSmoothing.h"
 #include "Meshes.h"
+#include "SmoothingQueries.h"
 #include "SmoothingRun.h"
 
 #include <gtest/gtest.h>
@@ -12,19 +13,6 @@ namespace SurfaceScalars::Truth
 namespace
 {
 
-SmoothingMesh smoothingMesh(const TriangleMesh& mesh)
-{
-  return SmoothingMesh(mesh.points, trianglesOf(mesh));
-}
-
-SmoothingParameters with(SmoothingMethod method, double threshold = 0.0)
-{
-  SmoothingParameters parameters;
-  parameters.method = method;
-  parameters.persistenceThreshold = threshold;
-  return parameters;
-}
-
 std::vector<Index> verticesOf(const std::vector<CriticalPoint>& points, CriticalType type)
 {
   std::vector<Index> result;
@@ -36,13 +24,6 @@ std::vector<Index> verticesOf(const std::vector<CriticalPoint>& points, Critical
     }
   }
   return result;
-}
-
-void expectEqual(const CriticalCounts& a, const CriticalCounts& b)
-{
-  EXPECT_EQ(a.minima, b.minima);
-  EXPECT_EQ(a.saddles, b.saddles);
-  EXPECT_EQ(a.maxima, b.maxima);
 }
 
 double distance(const ValuesRef& a, const ValuesRef& b)
@@ -218,87 +199,6 @@ TEST(ConstrainedSmoothing, isTheSameAfterOtherRuns)
     const SmoothedFunction again = smoothFunction(mesh, noisy, parameters);
     EXPECT_EQ(again.values, smoothFunction(smoothingMesh(torus.mesh), noisy, parameters).values);
   }
-}
-
-// Every component keeps its own lowest and highest vertex, also one on which f varies little, and
-// one on which it does not vary.
-TEST(ConstrainedSmoothing, keepsExtremaOfEachComponent)
-{
-  const TriangleMesh small = subdividedSphere(3);
-  const TriangleMesh all = besideEachOther(besideEachOther(subdividedSphere(4), small), small);
-  const SmoothingMesh mesh = smoothingMesh(all);
-  Values values = all.points.row(2);
-  const Eigen::Index each = small.points.cols();
-  values.tail(each).setConstant(0.3);
-  values.tail(2 * each).head(each) *= 1e-3;
-  const SmoothedFunction result =
-    smoothFunction(mesh, values, with(SmoothingMethod::FeaturePreserving, 1.0));
-  expectEqual(result.outputCounts, { 3, 0, 3 });
-  expectEqual(countsOf(meshCriticalPoints(all, result.values)), { 3, 0, 3 });
-}
-
-// A constant comes back as it is, its critical points those of the order of the vertices; four
-// vertices are enough.
-TEST(ConstrainedSmoothing, returnsConstants)
-{
-  const TriangleMesh sphere = subdividedSphere(2);
-  const Values constant = Values::Constant(sphere.points.cols(), 2.5);
-  for (const SmoothingMethod method :
-    { SmoothingMethod::FeaturePreserving, SmoothingMethod::Tikhonov,
-      SmoothingMethod::InterpolatingConstraints, SmoothingMethod::LeastSquaresConstraints })
-  {
-    const SmoothedFunction result = smoothFunction(smoothingMesh(sphere), constant, with(method));
-    EXPECT_EQ(result.values, constant);
-    expectEqual(result.outputCounts, countsOf(meshCriticalPoints(sphere, constant)));
-    EXPECT_EQ(result.seminorm, 0.0);
-  }
-}
-
-TEST(ConstrainedSmoothing, worksOnATetrahedron)
-{
-  TriangleMesh tetrahedron;
-  tetrahedron.points.resize(3, 4);
-  tetrahedron.points << 1, -1, -1, 1, 1, -1, 1, -1, 1, 1, -1, -1;
-  tetrahedron.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
-  const SmoothingMesh mesh = smoothingMesh(tetrahedron);
-  Values values(4);
-  values << 0.0, 1.0, 3.0, 2.0;
-  for (const SmoothingMethod method :
-    { SmoothingMethod::FeaturePreserving, SmoothingMethod::Tikhonov,
-      SmoothingMethod::InterpolatingConstraints, SmoothingMethod::LeastSquaresConstraints })
-  {
-    const SmoothedFunction result = smoothFunction(mesh, values, with(method));
-    EXPECT_TRUE(result.values.allFinite());
-    expectEqual(result.outputCounts, { 1, 0, 1 });
-  }
-}
-
-// On a square, with boundary: Euler's formula, in which points on the boundary count half, holds,
-// and the extrema are those of the function without noise.
-TEST(ConstrainedSmoothing, worksOnABoundary)
-{
-  const TriangleMesh square = gridMesh(Grid::Patch, 60, 60);
-  const SmoothingMesh mesh = smoothingMesh(square);
-  const SpaceFunction bump{ "bump",
-    [](const Vector3d& p)
-    { return std::sin(2.0 * Pi * p.x()) * std::sin(2.0 * Pi * p.y()) + p.x(); },
-    {} };
-  Values values = valuesOf(bump, square.points);
-  const SmoothedFunction clean =
-    smoothFunction(mesh, values, with(SmoothingMethod::FeaturePreserving, 0.05));
-  const SmoothingCase noisySquare("square", square, bump, 0.05);
-  values = noisySquare.noisy(0.03, 6);
-  const SmoothedFunction result =
-    smoothFunction(mesh, values, with(SmoothingMethod::FeaturePreserving, 0.05));
-  EXPECT_EQ(result.outputCounts.minima, clean.outputCounts.minima);
-  EXPECT_EQ(result.outputCounts.maxima, clean.outputCounts.maxima);
-  int doubledIndex = 0;
-  for (const CriticalPoint& point : result.critical.points)
-  {
-    const bool isBoundary = mesh.topology().isBoundary(static_cast<Index>(point.input));
-    doubledIndex += (isBoundary ? 1 : 2) * indexOf(point);
-  }
-  EXPECT_EQ(doubledIndex, 2);
 }
 
 } // namespace
