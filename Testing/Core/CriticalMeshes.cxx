@@ -30,15 +30,6 @@ std::vector<SpaceFunction> functionsOfSpace()
       [](const Vector3d& p) -> Vector3d { return p.normalized(); } } };
 }
 
-TriangleMesh readCentered(const std::string& fileName)
-{
-  TriangleMesh mesh = readOff(fileName);
-  const Vector3d low = mesh.points.rowwise().minCoeff();
-  const Vector3d high = mesh.points.rowwise().maxCoeff();
-  mesh.points = (mesh.points.colwise() - 0.5 * (low + high)) * (2.0 / (high - low).norm());
-  return mesh;
-}
-
 bool hasPartner(const CriticalPoint& point, const std::vector<CriticalPoint>& others, double radius)
 {
   return std::any_of(others.begin(), others.end(),

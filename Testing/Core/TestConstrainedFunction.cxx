@@ -1,6 +1,6 @@
 #include "ConstrainedFunction.h"
 #include "Error.h"
-#include "Meshes.h"
+#include "MeshExamples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "ConstrainedSmoothing.h"
-#include "MeshExamples.h"
+#include "Meshes.h"
 #include "SmoothingRun.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ protected:
     return result;
   }
 
-  const SmoothingCase torus_{ "torus", griddedTorus(60, 30, 0.3), waves(), 0.06 };
+  const SmoothingCase torus_{ "torus", gridMesh(Grid::Torus, 60, 30), waves(), 0.06 };
   const SmoothingMesh mesh_{ torus_.mesh.points, trianglesOf(torus_.mesh) };
   const Values noisy_ = torus_.noisy(0.05, 1);
   SmoothingParameters parameters_;

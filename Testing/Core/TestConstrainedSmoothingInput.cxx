@@ -1,6 +1,6 @@
 #include "ConstrainedSmoothing.h"
 #include "Error.h"
-#include "MeshExamples.h"
+#include "Meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ protected:
     EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
   }
 
-  const TriangleMesh sphere_ = subdividedSphere(2);
+  const TriangleMesh sphere_ = subdividedSphere(3);
   const SmoothingMesh mesh_{ sphere_.points, trianglesOf(sphere_), {},
     [](Index vertex) { return vertex + 1000; } };
 };
@@ -55,8 +55,8 @@ TEST_F(SmoothingInput, isRefused)
   expectRefused("inf at vertex 1009",
     [](Values& values, SmoothingParameters&)
     { values[9] = std::numeric_limits<double>::infinity(); });
-  expectRefused("161 values for 162 vertices",
-    [](Values& values, SmoothingParameters&) { values.conservativeResize(161); });
+  expectRefused("257 values for 258 vertices",
+    [](Values& values, SmoothingParameters&) { values.conservativeResize(257); });
   expectRefused("-1e+308 to 1e+308",
     [](Values& values, SmoothingParameters&)
     {
@@ -86,7 +86,7 @@ TEST_F(SmoothingInput, masksHaveToFit)
   for (const SmoothingMethod method : { SmoothingMethod::FeaturePreserving,
          SmoothingMethod::InterpolatingConstraints, SmoothingMethod::LeastSquaresConstraints })
   {
-    expectRefused("3 for 162 vertices",
+    expectRefused("3 for 258 vertices",
       [=](Values&, SmoothingParameters& parameters)
       {
         parameters.method = method;
@@ -98,7 +98,7 @@ TEST_F(SmoothingInput, masksHaveToFit)
       {
         parameters.method = method;
         parameters.constraints = ConstraintChoice::MaskArray;
-        parameters.mask.assign(162, 0);
+        parameters.mask.assign(258, 0);
       });
   }
 }
@@ -107,14 +107,12 @@ TEST_F(SmoothingInput, masksHaveToFit)
 // FeaturePreserving keeps the lowest and the highest vertex there.
 TEST_F(SmoothingInput, everyComponentNeedsAConstraint)
 {
-  TriangleMesh away = subdividedSphere(2);
-  away.points.colwise() += Vector3d(3.0, 0.0, 0.0);
-  const TriangleMesh both = together(sphere_, away);
+  const TriangleMesh both = besideEachOther(sphere_, sphere_);
   const SmoothingMesh mesh(both.points, trianglesOf(both));
   const Values values = both.points.row(1);
   SmoothingParameters parameters;
   parameters.constraints = ConstraintChoice::MaskArray;
-  parameters.mask.assign(324, 0);
+  parameters.mask.assign(516, 0);
   parameters.mask[5] = 1;
   for (const SmoothingMethod method :
     { SmoothingMethod::InterpolatingConstraints, SmoothingMethod::LeastSquaresConstraints })
@@ -127,7 +125,7 @@ TEST_F(SmoothingInput, everyComponentNeedsAConstraint)
     }
     catch (const InvalidInput& error)
     {
-      EXPECT_NE(std::string(error.what()).find("162"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("258"), std::string::npos) << error.what();
     }
   }
   parameters.method = SmoothingMethod::FeaturePreserving;

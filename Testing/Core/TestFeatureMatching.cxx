@@ -1,6 +1,6 @@
 #include "FeatureMatching.h"
 #include "Functions.h"
-#include "MeshExamples.h"
+#include "Meshes.h"
 #include "Sampling.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ Values randomValues(Index count, double magnitude, unsigned seed)
 class Matching : public testing::Test
 {
 protected:
-  const TriangleMesh mesh_ = griddedTorus(24, 12, 0.2);
+  const TriangleMesh mesh_ = gridMesh(Grid::Torus, 24, 12);
   const MeshTopology topology_{ static_cast<Index>(mesh_.points.cols()), trianglesOf(mesh_) };
 };
 

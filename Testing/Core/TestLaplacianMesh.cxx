@@ -1,6 +1,6 @@
 #include "Error.h"
 #include "LaplacianFunctions.h"
-#include "Meshes.h"
+#include "MeshExamples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

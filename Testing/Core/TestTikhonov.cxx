@@ -1,6 +1,6 @@
 #include "Error.h"
 #include "Functions.h"
-#include "Meshes.h"
+#include "MeshExamples.h"
 #include "Tikhonov.h"
 
 #include <gmock/gmock.h>

@@ -238,6 +238,15 @@ TriangleMesh readOff(const std::string& fileName)
   return mesh;
 }
 
+TriangleMesh readCentered(const std::string& fileName)
+{
+  TriangleMesh mesh = readOff(fileName);
+  const Vector3d low = mesh.points.rowwise().minCoeff();
+  const Vector3d high = mesh.points.rowwise().maxCoeff();
+  mesh.points = (mesh.points.colwise() - 0.5 * (low + high)) * (2.0 / (high - low).norm());
+  return mesh;
+}
+
 std::vector<CriticalPoint> meshCriticalPoints(const TriangleMesh& mesh, const ValuesRef& values)
 {
   const std::vector<Edge> edges = edgesOf(mesh);

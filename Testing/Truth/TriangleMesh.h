@@ -24,6 +24,10 @@ struct TriangleMesh
 /// @throws std::runtime_error unless the file is in OFF format
 TriangleMesh readOff(const std::string& fileName);
 
+/// The same, moved and scaled such that the bounding box lies around the origin with a diagonal
+/// of 2.
+TriangleMesh readCentered(const std::string& fileName);
+
 /**
  * The critical vertices of a closed mesh (design paper, (1)), ties by index: in each triangle the
  * middle vertex counts; one that is never in the middle is an extremum, one that is 2 + 2m times is

@@ -1,15 +1,11 @@
 #pragma once
 
+#include "Meshes.h"
 #include "Sampling.h"
 #include "Torus.h"
 #include "Triangles.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <utility>
-#include <vector>
 
 /// Meshes of known surfaces, for the core's tests.
 namespace SurfaceScalars::Truth
@@ -52,44 +48,8 @@ inline Mesh squareMesh(int size, double shake)
 /// Each triangle of an octahedron divided `times` times into four, on the unit sphere.
 inline Mesh sphereMesh(int times)
 {
-  std::vector<Vector3d> vertices = { Vector3d::UnitX(), -Vector3d::UnitX(), Vector3d::UnitY(),
-    -Vector3d::UnitY(), Vector3d::UnitZ(), -Vector3d::UnitZ() };
-  std::vector<std::array<Index, 3>> triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 },
-    { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } };
-  for (; times > 0; --times)
-  {
-    std::map<std::pair<Index, Index>, Index> middles;
-    const auto middle = [&](Index a, Index b)
-    {
-      const auto [place, isNew] =
-        middles.emplace(std::minmax(a, b), static_cast<Index>(vertices.size()));
-      if (isNew)
-      {
-        vertices.push_back((vertices[a] + vertices[b]).normalized());
-      }
-      return place->second;
-    };
-    std::vector<std::array<Index, 3>> finer;
-    for (const auto& [a, b, c] : triangles)
-    {
-      const Index ab = middle(a, b);
-      const Index bc = middle(b, c);
-      const Index ca = middle(c, a);
-      finer.insert(finer.end(), { { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } });
-    }
-    triangles.swap(finer);
-  }
-  Mesh result = { Points(3, vertices.size()), Triangles(3, triangles.size()) };
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    result.vertices.col(static_cast<Eigen::Index>(i)) = vertices[i];
-  }
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    result.triangles.col(static_cast<Eigen::Index>(i)) << triangles[i][0], triangles[i][1],
-      triangles[i][2];
-  }
-  return result;
+  const TriangleMesh mesh = subdividedSphere(times);
+  return { mesh.points, trianglesOf(mesh) };
 }
 
 /// `around` times half as many vertices on the torus. Irregular: spacings differ by up to 1 to 5,
