@@ -1,0 +1,180 @@
+#include "TriangleSelection.h"
+
+#include "DisjointSets.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+/// The triangles around each vertex, one list after the other.
+class Stars
+{
+public:
+  Stars(const Triangles& triangles, std::size_t vertexCount)
+    : first_(vertexCount + 1, 0)
+    , triangles_(static_cast<std::size_t>(triangles.size()))
+  {
+    const auto corners = triangles.reshaped();
+    for (const Index corner : corners)
+    {
+      ++this->first_[corner];
+    }
+    std::partial_sum(this->first_.begin(), this->first_.end(), this->first_.begin());
+    for (Eigen::Index i = corners.size(); i-- > 0;)
+    {
+      this->triangles_[--this->first_[corners(i)]] = i / 3;
+    }
+  }
+
+  const Eigen::Index* begin(Index vertex) const
+  {
+    return this->triangles_.data() + this->first_[vertex];
+  }
+  const Eigen::Index* end(Index vertex) const { return this->begin(vertex + 1); }
+
+private:
+  std::vector<std::size_t> first_;
+  std::vector<Eigen::Index> triangles_;
+};
+
+/// Takes triangles out until every vertex that lost one has a single fan.
+class HoleCutter
+{
+public:
+  HoleCutter(const Triangles& triangles, std::size_t vertexCount)
+    : triangles_(triangles)
+    , stars_(triangles, vertexCount)
+    , kept_(static_cast<std::size_t>(triangles.cols()), 1)
+  {
+  }
+
+  void removeStar(Index vertex)
+  {
+    std::for_each(this->stars_.begin(vertex), this->stars_.end(vertex),
+      [this](Eigen::Index triangle) { this->remove(triangle); });
+  }
+
+  void repair()
+  {
+    while (!this->touched_.empty())
+    {
+      const Index vertex = this->touched_.back();
+      this->touched_.pop_back();
+      this->keepLargestFan(vertex);
+    }
+  }
+
+  Triangles result() const
+  {
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index triangle = 0; triangle < this->triangles_.cols(); ++triangle)
+    {
+      if (this->isKept(triangle))
+      {
+        columns.push_back(triangle);
+      }
+    }
+    return this->triangles_(Eigen::all, columns);
+  }
+
+private:
+  bool isKept(Eigen::Index triangle) const
+  {
+    return this->kept_[static_cast<std::size_t>(triangle)] != 0;
+  }
+
+  void remove(Eigen::Index triangle)
+  {
+    if (this->isKept(triangle))
+    {
+      this->kept_[static_cast<std::size_t>(triangle)] = 0;
+      const auto corners = this->triangles_.col(triangle);
+      this->touched_.insert(this->touched_.end(), corners.begin(), corners.end());
+    }
+  }
+
+  /// The fan of each triangle, known by one of them: two that share an edge at the vertex are in
+  /// one.
+  std::vector<Index> fansOf(const std::vector<Eigen::Index>& star, Index vertex) const
+  {
+    std::vector<std::pair<Index, Index>> edges; // the other end, the triangle
+    for (std::size_t i = 0; i < star.size(); ++i)
+    {
+      for (const Index corner : this->triangles_.col(star[i]))
+      {
+        if (corner != vertex)
+        {
+          edges.emplace_back(corner, static_cast<Index>(i));
+        }
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    DisjointSets fans(static_cast<Index>(star.size()));
+    for (std::size_t i = 1; i < edges.size(); ++i)
+    {
+      if (edges[i].first == edges[i - 1].first)
+      {
+        const auto [older, younger] =
+          std::minmax({ fans.find(edges[i].second), fans.find(edges[i - 1].second) });
+        if (older != younger)
+        {
+          fans.attach(younger, older);
+        }
+      }
+    }
+    std::vector<Index> roots(star.size());
+    std::iota(roots.begin(), roots.end(), Index(0));
+    std::transform(roots.begin(), roots.end(), roots.begin(),
+      [&](Index triangle) { return fans.find(triangle); });
+    return roots;
+  }
+
+  void keepLargestFan(Index vertex)
+  {
+    std::vector<Eigen::Index> star;
+    std::copy_if(this->stars_.begin(vertex), this->stars_.end(vertex), std::back_inserter(star),
+      [this](Eigen::Index triangle) { return this->isKept(triangle); });
+    const std::vector<Index> fans = this->fansOf(star, vertex);
+    std::vector<std::size_t> sizes(star.size(), 0);
+    for (const Index fan : fans)
+    {
+      ++sizes[fan];
+    }
+    const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+    for (std::size_t i = 0; i < star.size(); ++i)
+    {
+      if (fans[i] != static_cast<Index>(largest))
+      {
+        this->remove(star[i]);
+      }
+    }
+  }
+
+  const Triangles& triangles_;
+  Stars stars_;
+  std::vector<char> kept_;
+  std::vector<Index> touched_; ///< vertices that lost a triangle and may be left with several fans
+};
+
+} // namespace
+
+Triangles trianglesWithout(const Triangles& triangles, const std::vector<char>& leftOut)
+{
+  HoleCutter cutter(triangles, leftOut.size());
+  for (std::size_t vertex = 0; vertex < leftOut.size(); ++vertex)
+  {
+    if (leftOut[vertex])
+    {
+      cutter.removeStar(static_cast<Index>(vertex));
+    }
+  }
+  cutter.repair();
+  return cutter.result();
+}
+
+} // namespace SurfaceScalars
