@@ -10,33 +10,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <cstddef>
 #include <limits>
 
 namespace SurfaceScalars
 {
-namespace
-{
-
-constexpr std::size_t Grain = 1 << 14; // points per block of a parallel loop
-
-/// Makes room for all arrays of the filter's own. @returns where f is now
-std::string makeRoomForAll(const std::string& valueName, const FilterRun& run, vtkPointData* data)
-{
-  std::string name = valueName;
-  for (const char* own : { "CriticalProbability", "Gradient", "Normals", "CriticalType" })
-  {
-    const std::string renamed = makeRoom(run, data, own);
-    name = own == valueName ? renamed : name;
-  }
-  return name;
-}
-
-} // namespace
 
 void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& map,
-  const std::string& valueName, const FilterRun& run, const Execution& execution,
-  vtkPolyData* output)
+  const std::string& valueName, const FilterRun& run, vtkPolyData* output)
 {
   const vtkIdType count = map.pointCount();
   const auto probabilities = makeDoubles("CriticalProbability", count);
@@ -44,7 +24,7 @@ void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& m
   const auto normals = makeDoubles("Normals", count, 3);
   const auto types = makeInts("CriticalType", count);
   const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  const auto write = [&](vtkIdType point)
+  for (vtkIdType point = 0; point < count; ++point)
   {
     const Index vertex = map.vertexOf(point);
     const bool isThere = vertex != VertexMap::None;
@@ -53,22 +33,16 @@ void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& m
     normals->SetTypedTuple(point, isThere ? samples.normal.col(vertex).data() : none.data());
     types->SetValue(
       point, static_cast<int>(isThere ? samples.type[vertex] : CriticalType::Excluded));
-  };
-  parallelFor(static_cast<std::size_t>(count), Grain, execution,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (auto point = static_cast<vtkIdType>(begin); point < static_cast<vtkIdType>(end); ++point)
-      {
-        write(point);
-      }
-    });
+  }
 
   vtkPointData* data = output->GetPointData();
-  const std::string name = makeRoomForAll(valueName, run, data);
+  const std::string name = makeRoom(
+    run, data, { "CriticalProbability", "Gradient", "Normals", "CriticalType" }, valueName);
   data->AddArray(probabilities);
   data->AddArray(gradients);
-  data->SetNormals(normals);
+  data->AddArray(normals);
   data->AddArray(types);
+  data->SetActiveNormals("Normals");
   data->SetActiveScalars(name.c_str());
 }
 
@@ -80,35 +54,44 @@ void writeCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* 
   places->SetNumberOfPoints(count);
   const auto types = makeInts("CriticalType", count);
   const auto multiplicities = makeInts("Multiplicity", count);
-  const auto probabilities = makeDoubles("CriticalProbability", count);
   const auto values = makeDoubles("ScalarValue", count);
   const auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName("PointId");
   ids->SetNumberOfValues(count);
   const auto persistences = makeDoubles("Persistence", count);
-  const auto residuals = makeDoubles("Residual", count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const CriticalPoint& point = points[static_cast<std::size_t>(i)];
     places->SetPoint(i, point.position.data());
     types->SetValue(i, static_cast<int>(point.type));
     multiplicities->SetValue(i, point.multiplicity);
-    probabilities->SetValue(i, point.probability);
     values->SetValue(i, point.value);
     ids->SetValue(i, static_cast<vtkIdType>(point.input));
     persistences->SetValue(i, point.persistence);
-    residuals->SetValue(i, point.residual);
   }
   output->SetPoints(places);
   output->SetVerts(makeVertices(count));
   vtkPointData* data = output->GetPointData();
   data->SetScalars(types);
   data->AddArray(multiplicities);
-  data->AddArray(probabilities);
   data->AddArray(values);
   data->AddArray(ids);
   data->AddArray(persistences);
-  data->AddArray(residuals);
+}
+
+void writeFuzzyCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* output)
+{
+  writeCriticalPoints(points, output);
+  const auto count = static_cast<vtkIdType>(points.size());
+  const auto probabilities = makeDoubles("CriticalProbability", count);
+  const auto residuals = makeDoubles("Residual", count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    probabilities->SetValue(i, points[static_cast<std::size_t>(i)].probability);
+    residuals->SetValue(i, points[static_cast<std::size_t>(i)].residual);
+  }
+  output->GetPointData()->AddArray(probabilities);
+  output->GetPointData()->AddArray(residuals);
 }
 
 } // namespace SurfaceScalars

@@ -27,8 +27,11 @@ void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& m
   const std::string& valueName, const FilterRun& run, const Execution& execution,
   vtkPolyData* output);
 
-/// The critical points as vertices with all arrays of a port `CriticalPoints`; their `input` is
-/// PointId.
+/// The critical points as vertices with the arrays CriticalType, Multiplicity, ScalarValue, PointId
+/// (their `input`) and Persistence.
 void writeCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* output);
+
+/// The same with CriticalProbability and Residual.
+void writeFuzzyCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* output);
 
 } // namespace SurfaceScalars

@@ -45,6 +45,19 @@ vtkSmartPointer<vtkAbstractArray> copyOf(vtkAbstractArray* array)
   return copy;
 }
 
+bool equalNumbers(vtkDataArray* a, vtkDataArray* b)
+{
+  bool equal = a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+    a->GetNumberOfTuples() == b->GetNumberOfTuples();
+  for (vtkIdType i = 0; equal && i < a->GetNumberOfValues(); ++i)
+  {
+    const auto component = static_cast<int>(i % a->GetNumberOfComponents());
+    const vtkIdType tuple = i / a->GetNumberOfComponents();
+    equal = a->GetComponent(tuple, component) == b->GetComponent(tuple, component);
+  }
+  return equal;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkDoubleArray> makeDoubles(
@@ -73,11 +86,23 @@ vtkSmartPointer<vtkIntArray> makeInts(const std::string& name, vtkIdType tuples)
   return array;
 }
 
+vtkSmartPointer<vtkDoubleArray> makeDoubles(const std::string& name, const Values& values)
+{
+  auto array = makeDoubles(name, values.size());
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+vtkSmartPointer<vtkIntArray> makeInts(const std::string& name, const std::vector<int>& values)
+{
+  auto array = makeInts(name, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
 vtkSmartPointer<vtkIntArray> makeInt(const std::string& name, int number)
 {
-  auto array = makeInts(name, 1);
-  array->SetValue(0, number);
-  return array;
+  return makeInts(name, std::vector<int>{ number });
 }
 
 vtkSmartPointer<vtkCellArray> makeVertices(vtkIdType count)
@@ -122,6 +147,28 @@ std::string makeRoom(const FilterRun& run, vtkFieldData* data, const std::string
       "' is now '" + renamed + "'.");
   }
   return renamed;
+}
+
+std::string makeRoom(const FilterRun& run, vtkFieldData* data,
+  std::initializer_list<const char*> own, const std::string& valueName)
+{
+  std::string name = valueName;
+  for (const char* taken : own)
+  {
+    const std::string renamed = makeRoom(run, data, taken);
+    name = taken == valueName ? renamed : name;
+  }
+  return name;
+}
+
+void addFieldData(const FilterRun& run, vtkDataArray* array, vtkFieldData* data)
+{
+  vtkDataArray* other = data->GetArray(array->GetName());
+  if (!other || !equalNumbers(other, array))
+  {
+    makeRoom(run, data, array->GetName());
+  }
+  data->AddArray(array);
 }
 
 std::string freeName(

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "Basics.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 class vtkCellArray;
+class vtkDataArray;
 class vtkDoubleArray;
 class vtkFieldData;
 class vtkIntArray;
@@ -22,6 +26,10 @@ vtkSmartPointer<vtkDoubleArray> makeDoubles(
 
 /// An array of ints, allocated and not set.
 vtkSmartPointer<vtkIntArray> makeInts(const std::string& name, vtkIdType tuples);
+
+/// These numbers as an array.
+vtkSmartPointer<vtkDoubleArray> makeDoubles(const std::string& name, const Values& values);
+vtkSmartPointer<vtkIntArray> makeInts(const std::string& name, const std::vector<int>& values);
 
 /// Field data of one number.
 vtkSmartPointer<vtkIntArray> makeInt(const std::string& name, int number);
@@ -40,6 +48,14 @@ std::string renameTaken(vtkFieldData* data, const std::string& name);
 
 /// The same with a warning.
 std::string makeRoom(const FilterRun& run, vtkFieldData* data, const std::string& name);
+
+/// The same for all arrays of a filter's own. @returns where f, called `valueName`, is then
+std::string makeRoom(const FilterRun& run, vtkFieldData* data,
+  std::initializer_list<const char*> own, const std::string& valueName);
+
+/// Adds field data. An array of the same name and other values becomes `<name>Input`, with a
+/// warning.
+void addFieldData(const FilterRun& run, vtkDataArray* array, vtkFieldData* data);
 
 /// The name under which values called `name` are written: that, or `<name>Input` and a warning if
 /// it is among the arrays of the filter's own.

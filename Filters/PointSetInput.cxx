@@ -241,6 +241,13 @@ void copyNumbers(vtkDataArray* from, double* to, const Execution& execution)
   }
 }
 
+Points readPoints(vtkPoints* points, const Execution& execution)
+{
+  Points read(3, points->GetNumberOfPoints());
+  copyNumbers(points->GetData(), read.data(), execution);
+  return read;
+}
+
 Samples readSamples(FilterRun& run, const Execution& execution, vtkDataObject* input)
 {
   const std::vector<vtkPointSet*> blocks = pointSetsOf(input);

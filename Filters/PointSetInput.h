@@ -14,6 +14,7 @@ class vtkDataObject;
 class vtkImplicitFunction;
 class vtkInformation;
 class vtkPointSet;
+class vtkPoints;
 
 namespace SurfaceScalars
 {
@@ -46,6 +47,9 @@ std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* input);
 
 /// Copies an array of any numeric type, component by component, to `to`.
 void copyNumbers(vtkDataArray* from, double* to, const Execution& execution);
+
+/// The places of points.
+Points readPoints(vtkPoints* points, const Execution& execution);
 
 /**
  * Reads the points of an input and the array chosen by SetInputArrayToProcess(0, ...) as one set of

@@ -1,6 +1,7 @@
 #include "PropertyChoice.h"
 
 #include "Error.h"
+#include "NumberText.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,6 +15,15 @@ void checkChoice(const std::string& property, int value, std::initializer_list<i
   if (std::find(values.begin(), values.end(), value) == values.end())
   {
     throw InvalidInput(property + " " + names, std::to_string(value), "Choose one of these.");
+  }
+}
+
+void checkFraction(const std::string& property, double value)
+{
+  if (!(value >= 0.0 && value <= 1.0))
+  {
+    throw InvalidInput("a " + property + " from 0 to 1", textOf(value),
+      "It is a fraction of the range of values; 0 keeps all.");
   }
 }
 

@@ -11,6 +11,9 @@ namespace SurfaceScalars
 void checkChoice(const std::string& property, int value, std::initializer_list<int> values,
   const std::string& names);
 
+/// @throws InvalidInput unless the value is from 0 to 1
+void checkFraction(const std::string& property, double value);
+
 /// @throws InvalidInput unless a grid has at least `least` points along each axis, and as many in
 /// all as can be counted
 void checkGridDimensions(const int size[3], int least, const std::string& advice);

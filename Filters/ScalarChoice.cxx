@@ -31,9 +31,9 @@ struct Request
   }
 };
 
-Request requestOf(vtkAlgorithm& filter)
+Request requestOf(vtkAlgorithm& filter, int index)
 {
-  vtkInformation* information = filter.GetInputArrayInformation(0);
+  vtkInformation* information = filter.GetInputArrayInformation(index);
   Request request;
   if (const char* name = information->Get(vtkDataObject::FIELD_NAME()))
   {
@@ -122,9 +122,9 @@ void checkAssociation(const Request& request, const std::vector<vtkPointSet*>& b
 
 } // namespace
 
-ScalarChoice chooseScalars(vtkAlgorithm& filter, const std::vector<vtkPointSet*>& blocks)
+ScalarChoice chooseScalars(vtkAlgorithm& filter, const std::vector<vtkPointSet*>& blocks, int index)
 {
-  Request request = requestOf(filter);
+  Request request = requestOf(filter, index);
   checkAssociation(request, blocks);
 
   ScalarChoice choice;

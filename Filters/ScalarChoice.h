@@ -18,12 +18,13 @@ struct ScalarChoice
 };
 
 /**
- * Finds the array of SetInputArrayToProcess(0, ...), by name or as active attribute, in the blocks
- * of an input.
+ * Finds the array of SetInputArrayToProcess(index, ...), by name or as active attribute, in the
+ * blocks of an input.
  *
  * @throws InvalidInput if it is not a point array of numbers with one component, or if no block has
  * it
  */
-ScalarChoice chooseScalars(vtkAlgorithm& filter, const std::vector<vtkPointSet*>& blocks);
+ScalarChoice chooseScalars(
+  vtkAlgorithm& filter, const std::vector<vtkPointSet*>& blocks, int index = 0);
 
 } // namespace SurfaceScalars

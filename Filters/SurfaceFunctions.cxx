@@ -58,20 +58,6 @@ bool needTriangles(LaplacianWeights weights)
     weights == LaplacianWeights::NormalizedCotangent || weights == LaplacianWeights::MeanValue;
 }
 
-void noteOutside(FilterRun& run, const Points& points, const VertexMap& map)
-{
-  vtkIdType outside = 0;
-  for (vtkIdType id = 0; id < map.pointCount(); ++id)
-  {
-    outside += map.vertexOf(id) == VertexMap::None && points.col(id).allFinite();
-  }
-  if (outside > 0)
-  {
-    run.note(std::to_string(outside) + " of " + std::to_string(map.pointCount()) +
-      " points are in no triangle and get NaN.");
-  }
-}
-
 SurfaceLaplacian surfaceLaplacian(
   const PointChoice& choice, vtkPolyData* surface, FilterRun& run, const Execution& execution)
 {
@@ -87,7 +73,8 @@ SurfaceLaplacian surfaceLaplacian(
       std::move(sampled.map) };
   }
   MeshedSurface mesh = meshedSurface(choice.points, surface, surfacePart);
-  noteOutside(run, choice.points, mesh.map);
+  const Eigen::Index finite = choice.points.array().isFinite().colwise().all().count();
+  noteOutside(run, mesh.map, choice.points.cols() - finite);
   return { meshLaplacian(mesh.vertices, mesh.triangles, weights, laplacianPart),
     std::move(mesh.map) };
 }
@@ -116,10 +103,8 @@ SurfaceFunction harmonic(
   const PointChoice& choice, const SurfaceLaplacian& surface, const Execution& execution)
 {
   const std::vector<ValueConstraint> constraints = chosenConstraints(choice, surface.map);
-  const auto idOf = [&surface](Index vertex)
-  { return static_cast<std::size_t>(surface.map.pointOfVertex[vertex]); };
   return { surface.map.atPoints(
-    harmonicFunction(surface.laplacian, constraints, execution, idOf)) };
+    harmonicFunction(surface.laplacian, constraints, execution, surface.map.names())) };
 }
 
 SurfaceFunction eigenfunction(

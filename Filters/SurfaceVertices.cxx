@@ -1,15 +1,13 @@
 #include "SurfaceVertices.h"
 
 #include "Error.h"
+#include "FilterRun.h"
+#include "SurfaceTriangles.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -44,60 +42,24 @@ Finite finiteAmong(const Points& points)
   return finite;
 }
 
-vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface)
+/// The triangles of points as triangles of vertices, those whose corners are three.
+Triangles betweenVertices(const Triangles& triangles, const VertexMap& map)
 {
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(surface);
-  filter->PassVertsOff();
-  filter->PassLinesOff();
-  filter->Update();
-  return filter->GetOutput();
-}
-
-/// Corners as vertices; without triangles whose corners are not three vertices.
-std::vector<Index> cornersOf(vtkCellArray* cells, const VertexMap& map)
-{
-  std::vector<Index> corners;
-  const auto cell = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  Triangles result(3, triangles.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < triangles.cols(); ++i)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cell->GetCurrentCell(size, ids);
-    const Index a = map.vertexOf(ids[0]);
-    const Index b = map.vertexOf(ids[1]);
-    const Index c = map.vertexOf(ids[2]);
+    const Index a = map.vertexOf(triangles(0, i));
+    const Index b = map.vertexOf(triangles(1, i));
+    const Index c = map.vertexOf(triangles(2, i));
     const bool isThere = a != VertexMap::None && b != VertexMap::None && c != VertexMap::None;
     if (isThere && a != b && b != c && c != a)
     {
-      corners.insert(corners.end(), { a, b, c });
+      result.col(count++) << a, b, c;
     }
   }
-  return corners;
-}
-
-/// Keeps the vertices that are corners, in their order, and renumbers corners and points.
-void dropUnused(std::vector<Index>& corners, VertexMap& map)
-{
-  std::vector<Index> numbers(map.pointOfVertex.size(), VertexMap::None);
-  for (const Index corner : corners)
-  {
-    numbers[corner] = 0;
-  }
-  Index count = 0;
-  for (std::size_t vertex = 0; vertex < numbers.size(); ++vertex)
-  {
-    if (numbers[vertex] != VertexMap::None)
-    {
-      map.pointOfVertex[count] = map.pointOfVertex[vertex];
-      numbers[vertex] = count++;
-    }
-  }
-  map.pointOfVertex.resize(count);
-  const auto renumber = [&](Index& vertex)
-  { vertex = vertex == VertexMap::None ? vertex : numbers[vertex]; };
-  std::for_each(corners.begin(), corners.end(), renumber);
-  std::for_each(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), renumber);
+  result.conservativeResize(3, count);
+  return result;
 }
 
 } // namespace
@@ -111,6 +73,12 @@ Values VertexMap::atPoints(const Values& atVertices) const
     values(point) = vertex == None ? std::numeric_limits<double>::quiet_NaN() : atVertices(vertex);
   }
   return values;
+}
+
+VertexName VertexMap::names() const
+{
+  return [ids = std::make_shared<const std::vector<vtkIdType>>(this->pointOfVertex)](Index vertex)
+  { return static_cast<std::size_t>((*ids)[vertex]); };
 }
 
 VertexMap vertexMap(
@@ -132,6 +100,17 @@ VertexMap vertexMap(
   return map;
 }
 
+void noteOutside(FilterRun& run, const VertexMap& map, Eigen::Index missing)
+{
+  const Eigen::Index outside =
+    std::count(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), VertexMap::None) - missing;
+  if (outside > 0)
+  {
+    run.note(std::to_string(outside) + " of " + std::to_string(map.pointCount()) +
+      " points are in no triangle and get NaN.");
+  }
+}
+
 SampledSurface sampledSurface(
   const Points& points, const NeighborQuery& query, const Execution& execution)
 {
@@ -141,24 +120,45 @@ SampledSurface sampledSurface(
   return { std::move(graph), std::move(map) };
 }
 
+MeshedSurface surfaceOf(const Points& points, Triangles triangles, VertexMap map)
+{
+  std::vector<Index> numbers(map.pointOfVertex.size(), VertexMap::None);
+  for (const Index corner : triangles.reshaped())
+  {
+    numbers[corner] = 0;
+  }
+  Index count = 0;
+  for (std::size_t vertex = 0; vertex < numbers.size(); ++vertex)
+  {
+    if (numbers[vertex] != VertexMap::None)
+    {
+      map.pointOfVertex[count] = map.pointOfVertex[vertex];
+      numbers[vertex] = count++;
+    }
+  }
+  map.pointOfVertex.resize(count);
+  const auto renumber = [&](Index& vertex)
+  { vertex = vertex == VertexMap::None ? vertex : numbers[vertex]; };
+  std::for_each(triangles.data(), triangles.data() + triangles.size(), renumber);
+  std::for_each(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), renumber);
+  Points vertices = points(Eigen::all, map.pointOfVertex);
+  return { std::move(vertices), std::move(triangles), std::move(map) };
+}
+
 MeshedSurface meshedSurface(const Points& points, vtkPolyData* surface, const Execution& execution)
 {
+  constexpr double mapShare = 0.7; // of the whole
   const Finite finite = finiteAmong(points);
-  VertexMap map = vertexMap(PointCloud(finite.points, execution), finite.ids, points.cols());
-  std::vector<Index> corners = cornersOf(triangulated(surface)->GetPolys(), map);
-  if (corners.empty())
+  VertexMap map =
+    vertexMap(PointCloud(finite.points, execution.part(0.0, mapShare)), finite.ids, points.cols());
+  Triangles triangles = betweenVertices(trianglesOf(surface, execution.part(mapShare, 1.0)), map);
+  if (triangles.cols() == 0)
   {
     throw InvalidInput("a mesh of triangles, quads or strips for these Weights",
       "no triangle among " + std::to_string(surface->GetNumberOfCells()) + " cells",
       "Choose Weights LocalScale for points, or apply Extract Surface to a mesh of another type.");
   }
-  dropUnused(corners, map);
-  MeshedSurface mesh;
-  mesh.vertices = points(Eigen::all, map.pointOfVertex);
-  mesh.triangles =
-    Eigen::Map<const Triangles>(corners.data(), 3, static_cast<Eigen::Index>(corners.size() / 3));
-  mesh.map = std::move(map);
-  return mesh;
+  return surfaceOf(points, std::move(triangles), std::move(map));
 }
 
 } // namespace SurfaceScalars

@@ -2,6 +2,7 @@
 
 #include "Laplacian.h"
 #include "NeighborGraph.h"
+#include "VertexName.h"
 
 #include "vtkType.h"
 
@@ -13,7 +14,9 @@ class vtkPolyData;
 namespace SurfaceScalars
 {
 
-/// Which vertex of a graph or mesh a point of the input is. Points at one place are one vertex.
+class FilterRun;
+
+/// Which vertex of a graph or mesh a point of the input is. Several points at one place can be one.
 struct VertexMap
 {
   static constexpr Index None = std::numeric_limits<Index>::max();
@@ -28,11 +31,16 @@ struct VertexMap
   }
   /// Values of the vertices at the points, NaN at those that are not part of the surface.
   Values atPoints(const Values& atVertices) const;
+  /// The points of the vertices, for messages; outlives the map.
+  VertexName names() const;
 };
 
 /// @param ids which of the `pointCount` points the cloud was made of; empty: all
 VertexMap vertexMap(
   const PointCloud& cloud, const std::vector<vtkIdType>& ids, vtkIdType pointCount);
+
+/// Counts the points that are no vertices in a note, those that are missing not counted.
+void noteOutside(FilterRun& run, const VertexMap& map, Eigen::Index missing);
 
 /// The surface sampled by all points with a finite position.
 struct SampledSurface
@@ -53,6 +61,11 @@ struct MeshedSurface
   VertexMap map;
 };
 
+/// The vertices that are corners, in their order. @param map of vertices to points before any are
+/// left out
+MeshedSurface surfaceOf(const Points& points, Triangles triangles, VertexMap map);
+
+/// Those of all triangles, between vertices with a finite position; points at one place are one.
 /// @param points those of the polydata
 /// @throws InvalidInput if there are no triangles; Aborted
 MeshedSurface meshedSurface(const Points& points, vtkPolyData* surface, const Execution& execution);

@@ -141,7 +141,7 @@ int vtkFuzzyCriticalPoints::RequestData(
       makeRoom(run, output->GetFieldData(), "NeighborCount");
       writeSummary(found, output->GetFieldData());
       vtkPolyData* criticalPoints = vtkPolyData::GetData(outputs, 1);
-      writeCriticalPoints(found.points, criticalPoints);
+      writeFuzzyCriticalPoints(found.points, criticalPoints);
       writeSummary(found, criticalPoints->GetFieldData());
     });
 }

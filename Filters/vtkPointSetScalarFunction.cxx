@@ -20,7 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
-#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkPointSetScalarFunction);
@@ -42,13 +41,6 @@ std::string nameOf(int function)
   return names[function];
 }
 
-Points readPoints(vtkPoints* points, const Execution& execution)
-{
-  Points read(3, points->GetNumberOfPoints());
-  copyNumbers(points->GetData(), read.data(), execution);
-  return read;
-}
-
 void noteMissing(FilterRun& run, const Points& points)
 {
   Eigen::Index missing = 0;
@@ -67,17 +59,14 @@ void addResult(
   const FilterRun& run, const std::string& name, const Values& values, vtkPointData* data)
 {
   makeRoom(run, data, name);
-  const auto result = makeDoubles(name, values.size());
-  std::copy(values.begin(), values.end(), result->GetPointer(0));
-  data->SetScalars(result);
+  data->AddArray(makeDoubles(name, values));
+  data->SetActiveScalars(name.c_str());
 }
 
 void addEigenvalue(const FilterRun& run, double eigenvalue, vtkFieldData* data)
 {
   makeRoom(run, data, "Eigenvalue");
-  const auto number = makeDoubles("Eigenvalue", 1);
-  number->SetValue(0, eigenvalue);
-  data->AddArray(number);
+  data->AddArray(makeDoubles("Eigenvalue", Values::Constant(1, eigenvalue)));
 }
 
 } // namespace

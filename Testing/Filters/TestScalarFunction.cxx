@@ -124,6 +124,16 @@ TEST(ScalarFunction, passesPolydataThrough)
 }
 
 // Other point sets become polydata with a vertex per point.
+// What was active before remains, though no longer active.
+TEST(ScalarFunction, keepsTheActiveArray)
+{
+  vtkNew<vtkPointSetScalarFunction> filter;
+  filter->SetInputData(makeCloud(Truth::randomSphere(500, 1), Values::Ones(500), "mass"));
+  expectSilentSuccess(update(filter));
+  EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("mass"));
+  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "Height");
+}
+
 TEST(ScalarFunction, makesVerticesOfOtherPointSets)
 {
   const auto cloud = sphereCloud();
