@@ -1,0 +1,180 @@
+#include "MeshInput.h"
+
+#include "FilterRun.h"
+#include "PointSetInput.h"
+#include "Require.h"
+#include "ScalarChoice.h"
+#include "SurfaceTriangles.h"
+#include "TriangleSelection.h"
+
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+// The shares of the whole that end with the triangles, the points and the values.
+constexpr double TriangleShare = 0.6;
+constexpr double PointShare = 0.8;
+constexpr double ValueShare = 0.9;
+
+void noteOtherCells(FilterRun& run, vtkPolyData* input)
+{
+  const vtkIdType count = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  if (count > 0)
+  {
+    run.note(std::to_string(count) + " of " + std::to_string(input->GetNumberOfCells()) +
+      " cells are vertices or lines and ignored: the function is taken on the triangles.");
+  }
+}
+
+/// @throws InvalidInput if there are none
+Triangles readTriangles(FilterRun& run, const Execution& execution, vtkPolyData* input)
+{
+  Triangles triangles = trianglesOf(input, execution);
+  require(triangles.cols() > 0, "a mesh of triangles, quads or strips",
+    "no triangle among " + std::to_string(input->GetNumberOfCells()) + " cells",
+    "Use Fuzzy Critical Points, Point Set Contour or another point-set filter for points without "
+    "a mesh, or apply Extract Surface to a mesh of another type.");
+  noteOtherCells(run, input);
+  return triangles;
+}
+
+/// Drops the triangles that have the same corner twice, which are edges.
+void dropEdges(FilterRun& run, Triangles& triangles)
+{
+  const Eigen::Index total = triangles.cols();
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < total; ++i)
+  {
+    const auto corners = triangles.col(i);
+    if (corners(0) != corners(1) && corners(1) != corners(2) && corners(2) != corners(0))
+    {
+      triangles.col(count++) = corners;
+    }
+  }
+  if (count < total)
+  {
+    triangles.conservativeResize(3, count);
+    run.note(std::to_string(total - count) + " of " + std::to_string(total) +
+      " triangles have the same corner twice and are ignored.");
+  }
+}
+
+/// Cuts out the triangles around points without a finite position or value.
+/// @returns how many points these are
+Eigen::Index dropMissing(
+  FilterRun& run, const Points& points, const Values& values, Triangles& triangles)
+{
+  std::vector<char> missing(static_cast<std::size_t>(values.size()));
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    missing[static_cast<std::size_t>(i)] = !std::isfinite(values(i)) || !points.col(i).allFinite();
+  }
+  const Eigen::Index count = std::count(missing.begin(), missing.end(), 1);
+  if (count > 0)
+  {
+    const Eigen::Index total = triangles.cols();
+    triangles = trianglesWithout(triangles, missing);
+    run.note("Left out " + std::to_string(count) + " of " + std::to_string(values.size()) +
+      " points whose position or value is NaN or infinite, with " +
+      std::to_string(total - triangles.cols()) + " of " + std::to_string(total) +
+      " triangles: the mesh has holes there.");
+  }
+  require(triangles.cols() > 0, "triangles between points with a finite position and value", "none",
+    "Choose another array or another input.");
+  return count;
+}
+
+VertexMap allPoints(Eigen::Index count)
+{
+  VertexMap map;
+  map.vertexOfPoint.resize(static_cast<std::size_t>(count));
+  map.pointOfVertex.resize(static_cast<std::size_t>(count));
+  std::iota(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), Index(0));
+  std::iota(map.pointOfVertex.begin(), map.pointOfVertex.end(), vtkIdType{ 0 });
+  return map;
+}
+
+/// The vertices on the boundary, those at one place beside each other.
+std::vector<Index> boundaryByPlace(const Points& places, const MeshTopology& topology)
+{
+  std::vector<Index> rim;
+  for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
+  {
+    if (topology.isBoundary(vertex))
+    {
+      rim.push_back(vertex);
+    }
+  }
+  std::sort(rim.begin(), rim.end(),
+    [&](Index a, Index b)
+    {
+      return std::lexicographical_compare(
+        places.col(a).begin(), places.col(a).end(), places.col(b).begin(), places.col(b).end());
+    });
+  return rim;
+}
+
+} // namespace
+
+MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* input)
+{
+  Triangles triangles = readTriangles(run, execution.part(0.0, TriangleShare), input);
+  const ScalarChoice choice = chooseScalars(run.filter(), { input });
+  const Points points = readPoints(input->GetPoints(), execution.part(TriangleShare, PointShare));
+  Values values(points.cols());
+  copyNumbers(choice.arrays.front(), values.data(), execution.part(PointShare, ValueShare));
+  dropEdges(run, triangles);
+  const Eigen::Index missing = dropMissing(run, points, values, triangles);
+
+  MeshInput mesh;
+  mesh.surface = surfaceOf(points, std::move(triangles), allPoints(points.cols()));
+  mesh.values = values(mesh.surface.map.pointOfVertex);
+  mesh.valueName = choice.name;
+  noteOutside(run, mesh.surface.map, missing);
+  execution.report(1.0);
+  return mesh;
+}
+
+void noteSeams(FilterRun& run, const MeshInput& mesh, const MeshTopology& topology)
+{
+  const Points& places = mesh.surface.vertices;
+  const std::vector<Index> rim = boundaryByPlace(places, topology);
+  std::size_t doubled = 0;
+  std::size_t different = 0;
+  for (std::size_t i = 1; i < rim.size(); ++i)
+  {
+    const bool isSame = places.col(rim[i]) == places.col(rim[i - 1]);
+    doubled += isSame;
+    different += isSame && mesh.values(rim[i]) != mesh.values(rim[i - 1]);
+  }
+  if (doubled > 0)
+  {
+    run.note(std::to_string(doubled) + " of " + std::to_string(rim.size()) +
+      " vertices on the boundary are at the place of another: if the mesh should not be torn "
+      "there, apply Clean first, which makes them one" +
+      (different > 0 ? " and keeps the first of their values, which differ at " +
+            std::to_string(different) + " of them."
+                     : "."));
+  }
+}
+
+MeshTopology topologyOf(FilterRun& run, const MeshInput& mesh, const Execution& execution)
+{
+  const MeshedSurface& surface = mesh.surface;
+  MeshTopology topology(
+    static_cast<Index>(surface.vertices.cols()), surface.triangles, execution, surface.map.names());
+  noteSeams(run, mesh, topology);
+  return topology;
+}
+
+} // namespace SurfaceScalars

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "MeshTopology.h"
+#include "SurfaceVertices.h"
+
+#include <string>
+
+class vtkPolyData;
+
+namespace SurfaceScalars
+{
+
+/// What a mesh filter works on: triangles and, for each vertex, one value of f; all finite.
+struct MeshInput
+{
+  MeshedSurface surface;
+  Values values;         ///< one per vertex
+  std::string valueName; ///< the array's name
+};
+
+/**
+ * Reads the triangles, quads, polygons and strips of polydata and the array chosen by
+ * SetInputArrayToProcess(0, ...). Connectivity decides which triangles are neighbors; points at one
+ * place remain several vertices.
+ *
+ * Notes say how much was left out: vertices and lines; triangles with the same corner twice; points
+ * without a finite position or value, with their triangles (where such holes meet at a point, it
+ * keeps the larger fan); points in no triangle.
+ *
+ * @param execution the part of run.execution() this is
+ * @throws InvalidInput if no triangle is left, and as chooseScalars(); Aborted
+ */
+MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* input);
+
+/// Counts the vertices on the boundary that are at the place of another one in a note: where the
+/// mesh may be torn by mistake.
+void noteSeams(FilterRun& run, const MeshInput& mesh, const MeshTopology& topology);
+
+/// The topology of the mesh, seams noted. @throws as MeshTopology; errors name points of the input
+MeshTopology topologyOf(FilterRun& run, const MeshInput& mesh, const Execution& execution);
+
+} // namespace SurfaceScalars
