@@ -158,12 +158,55 @@ PROXIES = {
         },
         "others": ["Input", "ScalarArray", "VolumeFunction"],
     },
+    "MeshCriticalPoints": {
+        "ports": ["Output", "CriticalPoints", "PersistencePairs", "Simplification"],
+        "enumerations": {},
+        "defaults": {"PersistenceThreshold": 0.0, "Delta": 0.0},
+        "others": ["Input", "ScalarArray"],
+    },
+    "MorseComplex": {
+        "ports": ["Separatrices", "Nodes"],
+        "enumerations": {},
+        "defaults": {"PersistenceThreshold": 0.0},
+        "others": ["Input", "ScalarArray"],
+    },
+    "ConstrainedSmoothing": {
+        "ports": ["Output", "CriticalPoints", "ParameterCurve"],
+        "enumerations": {
+            "Method": {
+                "FeaturePreserving": 0,
+                "Tikhonov": 1,
+                "InterpolatingConstraints": 2,
+                "LeastSquaresConstraints": 3,
+            },
+            "EpsilonChoice": {"GCV": 0, "LCurve": 1, "Manual": 2},
+            "Constraints": {"AllCriticalPoints": 0, "DeltaSimplified": 1, "Persistent": 2, "MaskArray": 3},
+            "Weights": {"Cotangent": 3, "NormalizedCotangent": 4, "MeanValue": 5},
+            "Metric": {"Identity": 0, "MassMatrix": 1, "LumpedMass": 2},
+            "Energy": {"Harmonic": 0, "Biharmonic": 1},
+        },
+        "defaults": {
+            "Method": "FeaturePreserving",
+            "EpsilonChoice": "GCV",
+            "Constraints": "Persistent",
+            "Weights": "Cotangent",
+            "Metric": "Identity",
+            "Energy": "Biharmonic",
+            "Epsilon": 1e5,
+            "PersistenceThreshold": 0.0,
+            "Delta": 0.0,
+            "IncludeOneStars": 1,
+            "SmoothedStars": 1,
+            "ResultArrayName": "SmoothedScalars",
+        },
+        "others": ["Input", "ScalarArray", "ConstraintArray"],
+    },
 }
 
 
 def make(name):
-    points = support.torus_points(500)
-    source = support.source(support.polydata(points, f=points[:, 2]))
+    points, triangles = support.torus_mesh(24, 12)
+    source = support.source(support.mesh(points, triangles, f=points[:, 2]))
     inputs = {"Target": source} if name == "RBFEvaluate" else {}
     return getattr(simple, name)(Input=source, **inputs)
 

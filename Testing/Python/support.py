@@ -7,7 +7,7 @@ import random
 import numpy
 import vtk
 from paraview import simple
-from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 
 def load_plugin():
@@ -56,6 +56,33 @@ def polydata(points, **arrays):
     return result
 
 
+def torus_mesh(columns=48, rows=24):
+    """The same torus closed, as points and triangles (three columns of ids)."""
+    u, v = numpy.meshgrid(
+        numpy.arange(columns) * 2 * math.pi / columns, numpy.arange(rows) * 2 * math.pi / rows
+    )
+    radius = 1 + 0.4 * numpy.cos(v)
+    points = numpy.stack([radius * numpy.cos(u), radius * numpy.sin(u), 0.4 * numpy.sin(v)], axis=-1).reshape(-1, 3)
+    corner = numpy.arange(columns * rows).reshape(rows, columns)
+    right, up = numpy.roll(corner, -1, axis=1), numpy.roll(corner, -1, axis=0)
+    across = numpy.roll(right, -1, axis=0)
+    triangles = numpy.concatenate([
+        numpy.stack([corner, right, across], axis=-1).reshape(-1, 3),
+        numpy.stack([corner, across, up], axis=-1).reshape(-1, 3),
+    ])
+    return points, triangles
+
+
+def mesh(points, triangles, **arrays):
+    """Points and triangles, with point arrays; the first of them is the active one."""
+    result = polydata(points, **arrays)
+    corners = numpy.column_stack([numpy.full(len(triangles), 3), triangles]).ravel()
+    cells = vtk.vtkCellArray()
+    cells.ImportLegacyFormat(numpy_to_vtkIdTypeArray(corners, deep=True))
+    result.SetPolys(cells)
+    return result
+
+
 def source(dataset):
     """A pipeline source that holds the dataset."""
     producer = simple.TrivialProducer()
@@ -90,6 +117,10 @@ def fetch(proxy, port=0):
 
 def point_array(dataset, name):
     return vtk_to_numpy(dataset.GetPointData().GetArray(name))
+
+
+def table_column(table, name):
+    return vtk_to_numpy(table.GetColumnByName(name))
 
 
 def cell_array(dataset, name):
