@@ -97,7 +97,8 @@ private:
   void cutUp(vtkIdType size, const vtkIdType* ids)
   {
     this->polygon_->Initialize(static_cast<int>(size), ids, this->points_);
-    const bool isCut = this->polygon_->Triangulate(0, this->pieces_, this->places_) != 0;
+    vtkCell& cell = *this->polygon_; // whose interface does not change between versions of VTK
+    const bool isCut = cell.Triangulate(0, this->pieces_, this->places_) != 0;
     if (!isCut || this->pieces_->GetNumberOfIds() != 3 * (size - 2))
     {
       for (vtkIdType i = 1; i + 1 < size; ++i)
