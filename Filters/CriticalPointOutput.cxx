@@ -10,13 +10,21 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cstddef>
 #include <limits>
 
 namespace SurfaceScalars
 {
+namespace
+{
+
+constexpr std::size_t Grain = 1 << 14; // points per block of a parallel loop
+
+} // namespace
 
 void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& map,
-  const std::string& valueName, const FilterRun& run, vtkPolyData* output)
+  const std::string& valueName, const FilterRun& run, const Execution& execution,
+  vtkPolyData* output)
 {
   const vtkIdType count = map.pointCount();
   const auto probabilities = makeDoubles("CriticalProbability", count);
@@ -24,7 +32,7 @@ void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& m
   const auto normals = makeDoubles("Normals", count, 3);
   const auto types = makeInts("CriticalType", count);
   const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  for (vtkIdType point = 0; point < count; ++point)
+  const auto write = [&](vtkIdType point)
   {
     const Index vertex = map.vertexOf(point);
     const bool isThere = vertex != VertexMap::None;
@@ -33,7 +41,15 @@ void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& m
     normals->SetTypedTuple(point, isThere ? samples.normal.col(vertex).data() : none.data());
     types->SetValue(
       point, static_cast<int>(isThere ? samples.type[vertex] : CriticalType::Excluded));
-  }
+  };
+  parallelFor(static_cast<std::size_t>(count), Grain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto point = static_cast<vtkIdType>(begin); point < static_cast<vtkIdType>(end); ++point)
+      {
+        write(point);
+      }
+    });
 
   vtkPointData* data = output->GetPointData();
   const std::string name = makeRoom(

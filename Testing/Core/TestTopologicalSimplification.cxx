@@ -120,11 +120,7 @@ std::vector<Surface> surfaces()
   result.emplace_back(gridMesh(Grid::Torus, 3, 3));
   result.emplace_back(gridMesh(Grid::Torus, 20, 13));
   result.emplace_back(gridMesh(Grid::Patch, 12, 9));
-<<<<<<< HEAD
-  result.emplace_back(gridMesh(Grid::Patch, 40, 1));
-=======
   result.emplace_back(gridMesh(Grid::Patch, 100, 1)); // on which sweeps alone are slow to end
->>>>>>> ccf1541d84dc1bf3bc92e09df2fb19c7fbaa30f6
   result.emplace_back(gridMesh(Grid::Moebius, 16, 5));
   result.emplace_back(plateWithHoles(3, 1));
   result.emplace_back(besideEachOther(gridMesh(Grid::Cylinder, 6, 4), plateWithHoles(1, 0)));
