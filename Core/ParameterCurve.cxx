@@ -108,7 +108,8 @@ void CurveBuilder::add(double logEpsilon)
   Entry entry{};
   entry.residual = this->smoother_.distance(this->values_, smoothed);
   entry.seminorm = std::sqrt(this->smoother_.energy(smoothed));
-  entry.gcv = entry.residual > 0.0 ? std::pow(entry.residual / share, 2) : 0.0;
+  const double meanSquare = rest.squaredNorm() / static_cast<double>(rest.size());
+  entry.gcv = meanSquare > 0.0 ? meanSquare / (share * share) : 0.0;
   entry.curvature = curvature(std::pow(entry.residual, 2), std::pow(entry.seminorm, 2),
     -2.0 * this->smoother_.product(rest, change), this->smoother_.weight(epsilon));
   this->entries_.emplace(logEpsilon, entry);

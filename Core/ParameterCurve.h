@@ -8,7 +8,7 @@ namespace SurfaceScalars
 /// How epsilon is chosen. The numbers are fixed.
 enum class EpsilonChoice
 {
-  GCV = 0,    ///< generalized cross-validation: least ||f - x||^2 / (1 - trace / n)^2
+  GCV = 0,    ///< generalized cross-validation: least mean (f - x)^2 / (1 - trace / n)^2
   LCurve = 1, ///< largest curvature of log seminorm over log residual (Hansen and O'Leary, 1993)
   Manual = 2
 };
@@ -19,7 +19,7 @@ struct ParameterCurve
   Values epsilons;
   Values residuals;  ///< ||f - x||_W
   Values seminorms;  ///< sqrt(energy), the Sobolev semi-norm of the paper
-  Values gcv;        ///< residual^2 / (1 - trace / n)^2, the trace that of f -> x
+  Values gcv;        ///< mean of (f - x)^2 over the vertices / (1 - trace / n)^2, f's unit squared
   Values curvatures; ///< of the L-curve, positive at its corner; 0 where a norm is 0
 };
 
@@ -27,9 +27,11 @@ struct ParameterCurve
  * Smooths with epsilons for lengths from the size of the surface, sqrt(area), to half an edge,
  * further as long as the best one is the last, and closer about the best: some 15 to 20.
  *
- * The trace is estimated with random signs, the same ones each time (Hutchinson, 1990): as many as
- * make a thousand values. What the curvature takes of derivatives, d log residual^2 / d log
- * epsilon, comes from one more solution.
+ * Cross-validation predicts each vertex from the others and counts all alike, as noise of vertices
+ * does, whatever the metric: weighted by areas, it would take the noise of small triangles for
+ * detail. The trace, of f -> x, is estimated with random signs, the same ones each time
+ * (Hutchinson, 1990): as many as make a thousand values. What the curvature takes of derivatives, d
+ * log residual^2 / d log epsilon, comes from one more solution.
  *
  * Takes some twenty times as long as smooth().
  *
