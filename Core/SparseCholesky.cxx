@@ -23,12 +23,19 @@ namespace
 using Matrix = Eigen::SparseMatrix<double>;
 
 #ifdef SURFACE_SCALARS_CHOLMOD
+constexpr Eigen::Index MostOfMeshes = 8; // entries per row, of the Laplacian
+
 class Decomposition : public Eigen::CholmodSupernodalLLT<Matrix>
 {
 public:
-  Decomposition()
+  explicit Decomposition(const Matrix& matrix)
   {
     this->cholmod().print = 0; // nothing: errors are thrown
+    if (matrix.nonZeros() <= MostOfMeshes * matrix.cols())
+    {
+      this->cholmod().nmethods = 1; // nested dissection takes longer than it saves
+      this->cholmod().method[0].ordering = CHOLMOD_AMD;
+    }
   }
 
   RoundedFactor rounded() const
@@ -54,6 +61,8 @@ public:
 class Decomposition : public Eigen::SimplicialLLT<Matrix>
 {
 public:
+  explicit Decomposition(const Matrix&) {}
+
   RoundedFactor rounded() const
   {
     const Matrix& factor = this->matrixL().nestedExpression();
@@ -80,6 +89,7 @@ struct SparseCholesky::Factors
   Decomposition decomposition;
 
   explicit Factors(const Matrix& matrix)
+    : decomposition(matrix)
   {
     this->decomposition.analyzePattern(matrix);
     this->factor(matrix);
