@@ -33,10 +33,11 @@ class CurveBuilder
 {
 public:
   CurveBuilder(const TikhonovSmoother& smoother, const ValuesRef& values, EpsilonChoice choice,
-    const Execution& execution)
+    NoiseShares& shares, const Execution& execution)
     : smoother_(smoother)
     , values_(values)
     , choice_(choice)
+    , shares_(shares)
     , execution_(execution)
   {
     std::mt19937_64 random(1);
@@ -53,7 +54,7 @@ private:
     return std::log10(this->smoother_.epsilonOfLength(length));
   }
   void add(double logEpsilon);
-  double shareLeft(double epsilon, const Execution& execution) const;
+  double shareLeft(double logEpsilon, const Execution& execution);
   std::map<double, Entry>::const_iterator best() const;
   void extend();
   void refine();
@@ -61,6 +62,7 @@ private:
   const TikhonovSmoother& smoother_;
   const Values values_;
   EpsilonChoice choice_;
+  NoiseShares& shares_;
   Execution execution_;
   Eigen::MatrixXd probes_;          ///< columns of signs
   std::map<double, Entry> entries_; ///< by log10 epsilon
@@ -68,8 +70,14 @@ private:
 };
 
 /// 1 - trace / n, the share of noise that is removed.
-double CurveBuilder::shareLeft(double epsilon, const Execution& execution) const
+double CurveBuilder::shareLeft(double logEpsilon, const Execution& execution)
 {
+  const auto known = this->shares_.find(logEpsilon);
+  if (known != this->shares_.end())
+  {
+    return known->second;
+  }
+  const double epsilon = std::pow(10.0, logEpsilon);
   const auto count = static_cast<double>(this->probes_.cols());
   double sum = 0.0;
   for (int i = 0; i < this->probes_.cols(); ++i)
@@ -78,7 +86,7 @@ double CurveBuilder::shareLeft(double epsilon, const Execution& execution) const
     const Execution part = execution.part(static_cast<double>(i) / count, (i + 1.0) / count);
     sum += probe.dot(probe - this->smoother_.smooth(probe, epsilon, part, Accuracy));
   }
-  return sum / static_cast<double>(this->probes_.size());
+  return this->shares_[logEpsilon] = sum / static_cast<double>(this->probes_.size());
 }
 
 /// With R = ||f - x||^2, E the energy and u = log t, dE / du = -t dR / du where x is best, and so
@@ -103,7 +111,7 @@ void CurveBuilder::add(double logEpsilon)
   const Values rest = this->values_ - smoothed;
   const Values change =
     this->smoother_.smooth(rest, epsilon, part.part(0.4, 0.6), DerivativeAccuracy);
-  const double share = this->shareLeft(epsilon, part.part(0.6, 1.0));
+  const double share = this->shareLeft(logEpsilon, part.part(0.6, 1.0));
 
   Entry entry{};
   entry.residual = this->smoother_.distance(this->values_, smoothed);
@@ -210,12 +218,13 @@ double parabolaMinimum(const Eigen::Array3d& x, const Eigen::Array3d& y)
 } // namespace
 
 ParameterCurve parameterCurve(const TikhonovSmoother& smoother, const ValuesRef& values,
-  const Execution& execution, EpsilonChoice choice)
+  const Execution& execution, EpsilonChoice choice, NoiseShares* known)
 {
   require(values.size() == smoother.size(),
     "a value at each of " + std::to_string(smoother.size()) + " vertices",
     std::to_string(values.size()) + " values", "Choose another array.");
-  return CurveBuilder(smoother, values, choice, execution).build();
+  NoiseShares own;
+  return CurveBuilder(smoother, values, choice, known ? *known : own, execution).build();
 }
 
 double chooseEpsilon(const ParameterCurve& curve, EpsilonChoice choice)

@@ -2,6 +2,8 @@
 
 #include "Tikhonov.h"
 
+#include <map>
+
 namespace SurfaceScalars
 {
 
@@ -23,6 +25,9 @@ struct ParameterCurve
   Values curvatures; ///< of the L-curve, positive at its corner; 0 where a norm is 0
 };
 
+/// 1 - trace / n by log10 of epsilon: does not depend on f.
+using NoiseShares = std::map<double, double>;
+
 /**
  * Smooths with epsilons for lengths from the size of the surface, sqrt(area), to half an edge,
  * further as long as the best one is the last, and closer about the best: some 15 to 20.
@@ -33,14 +38,15 @@ struct ParameterCurve
  * (Hutchinson, 1990): as many as make a thousand values. What the curvature takes of derivatives, d
  * log residual^2 / d log epsilon, comes from one more solution.
  *
- * Takes some twenty times as long as smooth().
+ * Takes some twenty times as long as smooth(), half of that with known shares.
  *
  * @param choice about whose best epsilon the curve is refined, GCV or LCurve
+ * @param known of earlier calls with this smoother; is added to. May be null
  * @throws as TikhonovSmoother::smooth()
  */
 SURFACESCALARSCORE_EXPORT ParameterCurve parameterCurve(const TikhonovSmoother& smoother,
   const ValuesRef& values, const Execution& execution = {},
-  EpsilonChoice choice = EpsilonChoice::GCV);
+  EpsilonChoice choice = EpsilonChoice::GCV, NoiseShares* known = nullptr);
 
 /// The best epsilon of the curve, between its entries. Of equally good ones, as for constant f, the
 /// least.

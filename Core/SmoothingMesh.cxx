@@ -32,7 +32,7 @@ std::shared_ptr<const Laplacian> SmoothingMesh::laplacian(
 const TikhonovSmoother& SmoothingMesh::smoother(
   const SmoothingNorms& norms, const Execution& execution) const
 {
-  auto& smoother = this->smoothers_[{ norms.weights, norms.metric, norms.energy }];
+  auto& smoother = this->smoothers_[keyOf(norms)];
   if (!smoother)
   {
     const auto laplacian = this->laplacian(norms.weights, execution);
@@ -42,6 +42,20 @@ const TikhonovSmoother& SmoothingMesh::smoother(
     smoother = std::make_unique<const TikhonovSmoother>(laplacian, std::move(metric), norms.energy);
   }
   return *smoother;
+}
+
+const ParameterCurve& SmoothingMesh::curve(const SmoothingNorms& norms, const ValuesRef& values,
+  EpsilonChoice choice, const Execution& execution) const
+{
+  const SmootherKey key = keyOf(norms);
+  if (!this->curve_ || this->curve_->norms != key || this->curve_->choice != choice ||
+    this->curve_->values.size() != values.size() || this->curve_->values != values)
+  {
+    ParameterCurve curve = parameterCurve(
+      this->smoother(norms, execution), values, execution, choice, &this->shares_[key]);
+    this->curve_ = KnownCurve{ key, values, choice, std::move(curve) };
+  }
+  return this->curve_->curve;
 }
 
 } // namespace SurfaceScalars

@@ -2,11 +2,13 @@
 
 #include "Laplacian.h"
 #include "MeshTopology.h"
+#include "ParameterCurve.h"
 #include "Tikhonov.h"
 #include "VertexName.h"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 namespace SurfaceScalars
@@ -23,7 +25,8 @@ struct SmoothingNorms
 /**
  * A mesh and what is worth keeping between runs on it: topology, Laplacians, and smoothers with
  * their factors, each made when first asked for and kept. A run that differs from one before only
- * in f, epsilon or thresholds finds all of it. Not to be used by several threads at once.
+ * in f, epsilon or thresholds finds all of it, and the last curve of epsilons as long as f remains
+ * the same. Not to be used by several threads at once.
  *
  * Memory: that of the topology, of each Laplacian and of each smoother asked for (Tikhonov.h).
  */
@@ -50,14 +53,34 @@ public:
   const TikhonovSmoother& smoother(
     const SmoothingNorms& norms, const Execution& execution = {}) const;
 
+  /// parameterCurve() of the smoother with these norms.
+  /// @throws as parameterCurve()
+  const ParameterCurve& curve(const SmoothingNorms& norms, const ValuesRef& values,
+    EpsilonChoice choice, const Execution& execution = {}) const;
+
 private:
   using SmootherKey = std::tuple<LaplacianWeights, DataMetric, SmoothingEnergy>;
+
+  struct KnownCurve
+  {
+    SmootherKey norms;
+    Values values;
+    EpsilonChoice choice;
+    ParameterCurve curve;
+  };
+
+  static SmootherKey keyOf(const SmoothingNorms& norms)
+  {
+    return { norms.weights, norms.metric, norms.energy };
+  }
 
   Points vertices_;
   VertexName nameOf_;
   MeshTopology topology_;
   mutable std::map<LaplacianWeights, std::shared_ptr<const Laplacian>> laplacians_;
   mutable std::map<SmootherKey, std::unique_ptr<const TikhonovSmoother>> smoothers_;
+  mutable std::map<SmootherKey, NoiseShares> shares_;
+  mutable std::optional<KnownCurve> curve_;
 };
 
 } // namespace SurfaceScalars
