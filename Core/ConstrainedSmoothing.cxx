@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace SurfaceScalars
@@ -116,27 +117,25 @@ double persistenceOfNoise(const MeshTopology& mesh, const ValuesRef& values)
   return 2.0 * noiseOf(mesh, values) * std::sqrt(2.0 * std::log(2.0 * count / Improbable));
 }
 
-/// The smooth function with the extrema that are to be kept, placed by further smoothing as far as
-/// the noise that is left allows.
-Values withFeatures(const SmoothingData& data, const SmoothingParameters& parameters,
+/// The extrema that are to be kept, placed by further smoothing as far as the noise that is left
+/// allows.
+ExtremalVertices placedFeatures(const SmoothingData& data, const SmoothingParameters& parameters,
   double epsilon, const Execution& execution)
 {
   const MeshTopology& topology = data.mesh.topology();
   const TikhonovSmoother& smoother = data.mesh.smoother(parameters.norms);
   const double length = smoother.smoothingLength(epsilon);
-  const ExtremalVertices kept = extremaToKeep(data, parameters, execution.part(0.0, 0.2));
+  const ExtremalVertices kept = extremaToKeep(data, parameters, execution.part(0.0, 0.3));
   const Values further = smoother.smooth(
-    data.input, smoother.epsilonOfLength(PlacingLength * length), execution.part(0.2, 0.6));
+    data.input, smoother.epsilonOfLength(PlacingLength * length), execution.part(0.3, 1.0));
   // The integral of the squared gain over all frequencies: a sixteenth of the vertices per length.
   const double perLength = std::sqrt(smoother.area() / topology.vertexCount()) / length;
   const double left = noiseOf(topology, data.input) * std::min(1.0, perLength / 4.0);
-  const ExtremalVertices extrema = placed(data, kept, further, PlacingNoise * left);
-  return keepExtrema(topology, data.smooth, extrema.minima, extrema.maxima,
-    execution.part(0.6, 1.0), data.mesh.nameOf());
+  return placed(data, kept, further, PlacingNoise * left);
 }
 
-/// What is left of f.
-Values smoothed(const SmoothingData& data, const SmoothingParameters& parameters, double epsilon,
+/// What is left of f, and which extrema it is promised to have.
+Values smoothed(SmoothingData& data, const SmoothingParameters& parameters, double epsilon,
   const Execution& execution)
 {
   const auto laplacian = data.mesh.laplacian(parameters.norms.weights);
@@ -154,7 +153,9 @@ Values smoothed(const SmoothingData& data, const SmoothingParameters& parameters
         constraintsOf(data, parameters, execution.part(0.0, 0.2)), epsilon,
         execution.part(0.2, 1.0), data.mesh.nameOf());
     case SmoothingMethod::FeaturePreserving:
-      return withFeatures(data, parameters, epsilon, execution);
+      data.promised = placedFeatures(data, parameters, epsilon, execution.part(0.0, 0.5));
+      return keepExtrema(data.mesh.topology(), data.smooth, data.promised.minima,
+        data.promised.maxima, execution.part(0.5, 1.0), data.mesh.nameOf());
   }
   throw InvalidInput("a method from 0 to 3", std::to_string(static_cast<int>(parameters.method)),
     "Choose one of these.");
@@ -173,19 +174,28 @@ CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
   return counts;
 }
 
-/// Nothing is lost that was not chosen for its persistence.
+/// What was promised and is not there; of extrema that were chosen for their persistence, those of
+/// f without a counterpart.
 std::vector<Index> lostExtrema(const SmoothingData& data, const SmoothingParameters& parameters,
-  const std::vector<CriticalPoint>& kept, const Execution& execution)
+  const ExtremalVertices& found, const Execution& execution)
 {
-  const bool areAll = parameters.constraints == ConstraintChoice::AllCriticalPoints;
-  if (!areAll && parameters.constraints != ConstraintChoice::Persistent)
-  {
-    return {};
-  }
   const MeshTopology& topology = data.mesh.topology();
-  const double threshold = areAll ? 0.0 : parameters.persistenceThreshold * data.range;
-  return unmatchedExtrema(topology, data.input, extremaOf(kept),
-    threshold + persistenceOfNoise(topology, data.input), execution);
+  const bool areAll = parameters.constraints == ConstraintChoice::AllCriticalPoints;
+  std::vector<Index> lost;
+  if (areAll || parameters.constraints == ConstraintChoice::Persistent)
+  {
+    const double threshold = areAll ? 0.0 : parameters.persistenceThreshold * data.range;
+    lost = unmatchedExtrema(
+      topology, data.input, found, threshold + persistenceOfNoise(topology, data.input), execution);
+  }
+  const auto addMissing = [&](const std::vector<Index>& promised, const std::vector<Index>& there)
+  {
+    std::set_difference(
+      promised.begin(), promised.end(), there.begin(), there.end(), std::back_inserter(lost));
+  };
+  addMissing(data.promised.minima, found.minima);
+  addMissing(data.promised.maxima, found.maxima);
+  return lost;
 }
 
 } // namespace
@@ -198,7 +208,7 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
   SmoothedFunction result;
   result.values = values;
   result.inputCounts = classifyVertices(topology, values, execution.part(0.0, 0.02)).counts;
-  SmoothingData data{ mesh, values, {}, values.maxCoeff() - values.minCoeff() };
+  SmoothingData data{ mesh, values, {}, {}, values.maxCoeff() - values.minCoeff() };
   if (data.range > 0.0)
   {
     const TikhonovSmoother& smoother = mesh.smoother(parameters.norms, execution.part(0.02, 0.05));
@@ -219,7 +229,8 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
   result.outputCounts = countsOf(result.critical.points);
   if (parameters.method == SmoothingMethod::FeaturePreserving && data.range > 0.0)
   {
-    result.lost = lostExtrema(data, parameters, result.critical.points, execution.part(0.95, 1.0));
+    result.lost =
+      lostExtrema(data, parameters, extremaOf(result.critical.points), execution.part(0.95, 1.0));
   }
   execution.report(1.0);
   return result;

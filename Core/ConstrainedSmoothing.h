@@ -51,7 +51,7 @@ struct SmoothedFunction
   CriticalCounts outputCounts;
   double largestError = 0.0; ///< max |values - f|
   double seminorm = 0.0;     ///< root of the energy of values
-  std::vector<Index> lost;   ///< persistent extrema of f without a counterpart
+  std::vector<Index> lost;   ///< extrema of FeaturePreserving that are not there, see below
 };
 
 /**
@@ -70,7 +70,8 @@ struct SmoothedFunction
  *
  * What is promised, and what is not:
  * - The result has exactly as many minima and maxima as were chosen, near those of the smooth
- *   function: not at those of f, where noise has moved them.
+ *   function: not at those of f, where noise has moved them. One that is not at its vertex when the
+ *   values are classified again would be in `lost`.
  * - On a closed mesh there are as many saddles, counted with multiplicity, as Euler's formula asks
  *   for; the two of each handle always remain. Where they lie is not promised.
  * - The result differs from Tikhonov's only around extrema that were removed or moved, by about

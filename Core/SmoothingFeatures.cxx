@@ -133,6 +133,7 @@ std::vector<Index> movedAlong(const MeshTopology& mesh, const std::vector<Index>
     const Index end = endOfSteps(mesh, vertex, isBefore);
     result.push_back(arrivals[end] == 1 && isNear(vertex, end) ? end : vertex);
   }
+  std::sort(result.begin(), result.end());
   return result;
 }
 

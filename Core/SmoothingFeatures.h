@@ -14,8 +14,9 @@ struct SmoothingData
 {
   const SmoothingMesh& mesh;
   const ValuesRef& input;
-  Values smooth; ///< Tikhonov's; empty where it is not needed
-  double range;  ///< of the input
+  Values smooth;             ///< Tikhonov's; empty where it is not needed
+  ExtremalVertices promised; ///< those that FeaturePreserving keeps, by vertex
+  double range;              ///< of the input
 };
 
 ExtremalVertices extremaOf(const std::vector<CriticalPoint>& points);

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int Seeds = 5;
+constexpr double HalfWave = Pi; // in smoothing lengths: of the wave of which half is left
 constexpr double NoiseLevels[] = { 0.01, 0.05, 0.1 };
 
 std::string textOf(const CriticalCounts& counts)
@@ -137,7 +138,7 @@ public:
         number("%.3f", length), number("%.2f", score.largestDistance / length),
         ofAll(repetitions.right, Seeds), ofAll(repetitions.near, Seeds),
         number("%.2f", repetitions.farthest),
-        report.kept(repetitions.right == Seeds && repetitions.farthest <= 2.0) });
+        report.kept(repetitions.right == Seeds && repetitions.farthest <= HalfWave) });
     return row;
   }
 
