@@ -79,13 +79,13 @@ bool needSmooth(const SmoothingParameters& parameters)
 }
 
 /// Epsilon, and the curve it is chosen from.
-void findEpsilon(SmoothedFunction& result, const TikhonovSmoother& smoother,
-  const ValuesRef& values, const SmoothingParameters& parameters, const Execution& execution)
+void findEpsilon(SmoothedFunction& result, const SmoothingMesh& mesh, const ValuesRef& values,
+  const SmoothingParameters& parameters, const Execution& execution)
 {
   result.epsilon = parameters.epsilon;
   if (parameters.epsilonChoice != EpsilonChoice::Manual)
   {
-    result.curve = parameterCurve(smoother, values, execution, parameters.epsilonChoice);
+    result.curve = mesh.curve(parameters.norms, values, parameters.epsilonChoice, execution);
     result.epsilon = chooseEpsilon(result.curve, parameters.epsilonChoice);
   }
 }
@@ -214,7 +214,7 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
     const TikhonovSmoother& smoother = mesh.smoother(parameters.norms, execution.part(0.02, 0.05));
     if (needSmooth(parameters) || parameters.method == SmoothingMethod::LeastSquaresConstraints)
     {
-      findEpsilon(result, smoother, values, parameters, execution.part(0.05, 0.75));
+      findEpsilon(result, mesh, values, parameters, execution.part(0.05, 0.75));
     }
     if (needSmooth(parameters))
     {
