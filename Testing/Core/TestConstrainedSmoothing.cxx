@@ -190,14 +190,25 @@ TEST(ConstrainedSmoothing, isTheSameAfterOtherRuns)
   const SmoothingCase torus("torus", gridMesh(Grid::Torus, 60, 30), waves(), 0.06);
   const SmoothingMesh mesh = smoothingMesh(torus.mesh);
   const Values noisy = torus.noisy(0.05, 5);
+  const auto expectTheSame = [&](const SmoothingParameters& parameters)
+  {
+    smoothFunction(mesh, 2.0 * noisy, parameters);
+    const Values fresh = smoothFunction(smoothingMesh(torus.mesh), noisy, parameters).values;
+    EXPECT_EQ(smoothFunction(mesh, noisy, parameters).values, fresh);
+    EXPECT_EQ(smoothFunction(mesh, noisy, parameters).values, fresh);
+  };
   SmoothingParameters parameters = with(SmoothingMethod::FeaturePreserving, 0.05);
+  for (const EpsilonChoice choice : { EpsilonChoice::GCV, EpsilonChoice::LCurve })
+  {
+    parameters.epsilonChoice = choice;
+    expectTheSame(parameters);
+    parameters.norms.metric = DataMetric::LumpedMass;
+  }
   parameters.epsilonChoice = EpsilonChoice::Manual;
   for (const double epsilon : { 1e4, 1e6, 1e5 })
   {
     parameters.epsilon = epsilon;
-    smoothFunction(mesh, 2.0 * noisy, parameters);
-    const SmoothedFunction again = smoothFunction(mesh, noisy, parameters);
-    EXPECT_EQ(again.values, smoothFunction(smoothingMesh(torus.mesh), noisy, parameters).values);
+    expectTheSame(parameters);
   }
 }
 
