@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace SurfaceScalars
@@ -50,10 +51,11 @@ double product(const float* column, const double* vector, int rows)
 
 } // namespace
 
-RoundedFactor::RoundedFactor(std::vector<int> order, double scale)
+RoundedFactor::RoundedFactor(std::vector<int> order, double scale, std::size_t entries)
   : order_(std::move(order))
   , scale_(scale)
 {
+  this->values_.reserve(entries);
 }
 
 void RoundedFactor::append(int columns, const std::vector<int>& rows, const double* values)

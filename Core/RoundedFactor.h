@@ -20,7 +20,8 @@ class RoundedFactor
 public:
   /// @param order at each place of the eliminated matrix the row of the original one
   /// @param scale entries are divided by this: about the largest
-  RoundedFactor(std::vector<int> order, double scale);
+  /// @param entries of all columns together
+  RoundedFactor(std::vector<int> order, double scale, std::size_t entries);
 
   /// The next columns.
   /// @param rows ascending; first those of the columns

@@ -48,7 +48,7 @@ public:
     const auto* valuesBegin = static_cast<const int*>(factor.px);
     const auto* values = static_cast<const double*>(factor.x);
     const Eigen::Map<const Values> all(values, static_cast<Eigen::Index>(factor.xsize));
-    RoundedFactor result({ order, order + factor.n }, all.lpNorm<Eigen::Infinity>());
+    RoundedFactor result({ order, order + factor.n }, all.lpNorm<Eigen::Infinity>(), factor.xsize);
     for (std::size_t block = 0; block < factor.nsuper; ++block)
     {
       result.append(first[block + 1] - first[block],
@@ -67,8 +67,9 @@ public:
   {
     const Matrix& factor = this->matrixL().nestedExpression();
     const auto& order = this->permutationPinv().indices();
-    RoundedFactor result({ order.begin(), order.end() },
-      Eigen::Map<const Values>(factor.valuePtr(), factor.nonZeros()).lpNorm<Eigen::Infinity>());
+    const Eigen::Map<const Values> all(factor.valuePtr(), factor.nonZeros());
+    RoundedFactor result({ order.begin(), order.end() }, all.lpNorm<Eigen::Infinity>(),
+      static_cast<std::size_t>(factor.nonZeros()));
     for (Eigen::Index column = 0; column < factor.cols(); ++column)
     {
       const int begin = factor.outerIndexPtr()[column];
