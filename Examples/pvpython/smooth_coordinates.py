@@ -15,10 +15,11 @@ from paraview.simple import *
 if len(sys.argv) not in (4, 5):
     sys.exit(__doc__)
 plugin, path, picture = sys.argv[1:4]
-epsilon = float(sys.argv[4]) if len(sys.argv) == 5 else 1e5
+epsilon = float(sys.argv[4]) if len(sys.argv) == 5 else 1e6
 LoadPlugin(plugin, remote=False, ns=globals())  # from now on its filters are functions
 
 mesh = OpenDataFile(path)
+mesh.UpdatePipeline()
 
 
 def smoothCoordinates(**properties):
@@ -40,7 +41,7 @@ surfaces = [
     smoothCoordinates(Method="Tikhonov", EpsilonChoice="Manual", Epsilon=epsilon),
     smoothCoordinates(Method="InterpolatingConstraints", Constraints="AllCriticalPoints", SmoothedStars=0)]
 bounds = numpy.reshape(mesh.GetDataInformation().GetBounds(), (3, 2))
-size = numpy.linalg.norm(numpy.diff(bounds))
+boxDiagonal = numpy.linalg.norm(numpy.diff(bounds))
 layout = CreateLayout("coordinates")
 layout.SplitHorizontal(0, 0.33)
 layout.SplitHorizontal(2, 0.5)
@@ -52,12 +53,12 @@ for surface, cell in zip(surfaces, (1, 5, 6)):
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     shown = Show(surface, view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = ["POINTS", ""]
     shown.AmbientColor = shown.DiffuseColor = [0.75, 0.78, 0.85]
     shown.Interpolation = "Flat"
     view.CameraFocalPoint = bounds.mean(axis=1)
-    view.CameraPosition = bounds.mean(axis=1) + 3 * size * numpy.array([0.3, 0.2, 1])
+    view.CameraPosition = bounds.mean(axis=1) + 3 * boxDiagonal * numpy.array([0.3, 0.2, 1])
     view.CameraViewUp = [0, 1, 0]
     view.CameraParallelProjection = 1
-    view.CameraParallelScale = 0.4 * size
+    view.CameraParallelScale = 0.4 * boxDiagonal
 SaveScreenshot(picture, layout, ImageResolution=[1800, 700])
