@@ -1,5 +1,6 @@
 #include "CriticalClusters.h"
 
+#include "CriticalCompletion.h"
 #include "CriticalIndex.h"
 #include "Places.h"
 #include "PointTree.h"
@@ -104,7 +105,7 @@ std::vector<TypedPoint> clusterPoints(
 {
   const Trust trust(scale);
   std::vector<RefinedPoint> merged = mergeSame(points, trust);
-  encloseByRings(merged, scale, execution.part(0.0, 0.5));
+  completePlaces(merged, scale, execution.part(0.0, 0.5));
   const SurePoints sure(merged, trust);
   const std::vector<std::vector<std::size_t>> groups = groupsOf(merged, SplitDistance,
     [&](const RefinedPoint& a, const RefinedPoint& b)
@@ -119,7 +120,7 @@ std::vector<TypedPoint> clusterPoints(
     result.insert(result.end(), some.begin(), some.end());
   }
   dropParts(result);
-  settleIndices(result);
+  settleIndices(result, merged);
   return result;
 }
 

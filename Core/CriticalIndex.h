@@ -7,21 +7,18 @@
 namespace SurfaceScalars
 {
 
-/// Counts the turns of the gradient on rings around points.
-void encloseByRings(
-  std::vector<RefinedPoint>& points, const CriticalScale& scale, const Execution& execution);
-
 /**
- * Leaves out what the turns of the gradient of f~ around (Poincare and Hopf) do not agree with. It
- * moves with the centers of the fits, where Hessians are those of single ones:
+ * Makes types agree with the turns of the gradient of f~ around (Poincare and Hopf), which moves
+ * with the centers of the fits, where Hessians are those of single ones:
  *
  * - a place around which the gradient does not turn is regular;
- * - one around which it turns otherwise than the Hessian says is uncertain;
- * - a point too close to its partner for both to be found is left out, too: a ring around it
- *   encloses less than what is found there.
+ * - one around which it turns otherwise than the Hessian says is uncertain, and so is one that
+ *   circles around its parts type against the sum of these;
+ * - what is left out has index 0 in total: a saddle and an extremum that are close to each other
+ *   may be left out or uncertain together, one of them alone gets the type that the turns tell.
  *
- * Points without such rings stay as they are.
+ * @param places all that there are, with their own indices first, completed
  */
-void settleIndices(std::vector<TypedPoint>& points);
+void settleIndices(std::vector<TypedPoint>& points, const std::vector<RefinedPoint>& places);
 
 } // namespace SurfaceScalars

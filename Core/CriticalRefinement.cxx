@@ -24,6 +24,7 @@ constexpr double Damping = 0.5;         // of steps that do not come to rest
 constexpr double LargestStep = 0.6;     // in radii
 constexpr double LargestWay = 1.2;      // from the candidate, in radii
 constexpr double SameWay = 0.25;        // of candidates next to each other, in radii
+constexpr double SamePlace = 0.2;       // a way within a cell of the gradient's turns, in radii
 constexpr double BendRadius = 0.35;     // in radii
 constexpr double LargestMargin = 0.4;   // in radii
 constexpr double SmallestMargin = 0.5;  // from the edge of the surface, in sampling steps
@@ -178,6 +179,18 @@ std::optional<RefinedPoint> describePlace(CriticalModel& model, const Vector3d& 
     (inverse * covariance->ofGradient(Vector2d::Zero()) * inverse.transpose()).trace();
   point.uncertainty = std::isfinite(spread) ? std::sqrt(spread) : point.reach;
   return point;
+}
+
+std::optional<RefinedPoint> refinePlace(CriticalModel& model, const Vector3d& place, double reach)
+{
+  const Arrival arrival = iterate(model, { place, reach, 0.0 });
+  const bool isNext = (arrival.place - place).norm() <= SamePlace * reach;
+  if (!arrival.isSettled || !isNext)
+  {
+    return {};
+  }
+  const std::optional<RefinedPoint> point = describePlace(model, arrival.place);
+  return model.isOnPlateau() ? std::nullopt : point;
 }
 
 std::vector<RefinedPoint> refineCandidates(const std::vector<CriticalCandidate>& candidates,

@@ -32,6 +32,9 @@ struct RefinedPoint
 /// @returns none where there are no samples to fit to
 std::optional<RefinedPoint> describePlace(CriticalModel& model, const Vector3d& place);
 
+/// Where Newton's method leads from a place, if that is next to it and not on a plateau.
+std::optional<RefinedPoint> refinePlace(CriticalModel& model, const Vector3d& place, double reach);
+
 /// Newton's method from the candidates, with fits centered anew where it leads, until the center
 /// is critical itself. One for all candidates that lead to the same place, in their order. Places
 /// at or beyond the edge of the sampled surface, or deep in a void, are left out.

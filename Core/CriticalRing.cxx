@@ -12,9 +12,6 @@ namespace
 {
 
 constexpr int Places = 48; // on a ring: four in a sector of a fivefold saddle
-constexpr int WindingPlaces = 16;
-constexpr double LargestTurn = 0.35 * Pi; // of the gradient between places
-constexpr double SmallestStep = 2.0 * Pi / (32.0 * WindingPlaces);
 constexpr int CenteringPlaces = 16;
 constexpr int Centerings = 12;
 constexpr double LargestMove = 0.5; // of a ring, in its radii
@@ -25,21 +22,6 @@ constexpr double Significant = 3.0; // difference to its standard error
 constexpr double Visible = 0.05;    // difference to the largest: less may be the run of a ridge
 constexpr int LongestDoubt = 2;     // places in a row that noise hides between equal signs
 constexpr int LongestChange = Places / 6; // and between different ones
-
-/// Centers the model on the surface next to a place. @returns whether there is one
-bool centerOnSurface(CriticalModel& model, const Vector3d& place)
-{
-  // Twice: the first center is off the surface where that is curved.
-  return model.center(place) && model.center(model.fit().lift(Vector2d::Zero())) &&
-    model.isSupported(0.0);
-}
-
-Vector3d placeOn(const Ring& ring, double angle)
-{
-  const Vector3d u = ring.normal.unitOrthogonal();
-  const Vector3d v = ring.normal.cross(u);
-  return ring.center + ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
-}
 
 /// f~ less a value, and the standard error of that.
 struct Difference
@@ -96,20 +78,21 @@ std::optional<RingCount> countChanges(const std::vector<int>& signs)
   return count;
 }
 
-/// The direction of the gradient at a place of a ring, seen along the ring's normal.
-std::optional<double> gradientAngle(CriticalModel& model, const Ring& ring, double angle)
+} // namespace
+
+bool centerOnSurface(CriticalModel& model, const Vector3d& place)
 {
-  if (!centerOnSurface(model, placeOn(ring, angle)))
-  {
-    return {};
-  }
-  const Vector3d gradient = model.fit().tangentialGradient(
-    model.jet(Vector2d::Zero()).gradient, model.fit().heightSlope(Vector2d::Zero()).gradient);
-  const Vector3d u = ring.normal.unitOrthogonal();
-  return std::atan2(gradient.dot(ring.normal.cross(u)), gradient.dot(u));
+  // Twice: the first center is off the surface where that is curved.
+  return model.center(place) && model.center(model.fit().lift(Vector2d::Zero())) &&
+    model.isSupported(0.0);
 }
 
-} // namespace
+Vector3d placeOn(const Ring& ring, double angle)
+{
+  const Vector3d u = ring.normal.unitOrthogonal();
+  const Vector3d v = ring.normal.cross(u);
+  return ring.center + ring.radius * (std::cos(angle) * u + std::sin(angle) * v);
+}
 
 bool centerRing(CriticalModel& model, Ring& ring)
 {
@@ -152,32 +135,6 @@ bool centerRing(CriticalModel& model, Ring& ring)
     }
   }
   return false;
-}
-
-std::optional<int> indexWithin(CriticalModel& model, const Ring& ring)
-{
-  double turn = 0.0;
-  double angle = 0.0;
-  double step = 2.0 * Pi / WindingPlaces;
-  std::optional<double> last = gradientAngle(model, ring, angle);
-  while (last && angle < 2.0 * Pi - 0.5 * step)
-  {
-    const std::optional<double> next = gradientAngle(model, ring, angle + step);
-    const double change = next ? std::remainder(*next - *last, 2.0 * Pi) : 0.0;
-    if (std::abs(change) > LargestTurn)
-    {
-      step *= 0.5;
-      if (step < SmallestStep)
-      {
-        return {};
-      }
-      continue;
-    }
-    turn += change;
-    angle += step;
-    last = next;
-  }
-  return last ? std::optional<int>(static_cast<int>(std::lround(turn / (2.0 * Pi)))) : std::nullopt;
 }
 
 std::optional<RingCount> countAround(CriticalModel& model, const Ring& ring)

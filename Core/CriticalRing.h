@@ -22,6 +22,12 @@ struct Ring
   double radius = 0.0;
 };
 
+/// Of a ring, before it is moved onto the surface.
+Vector3d placeOn(const Ring& ring, double angle);
+
+/// Centers the model on the surface next to a place. @returns whether there is one
+bool centerOnSurface(CriticalModel& model, const Vector3d& place);
+
 /// Moves a ring to where f~ changes around it as little to one side as to the other: around a
 /// degenerate critical point, whose place fits see only vaguely. Its gradient there is as long on
 /// all sides. @returns whether such a place is close
@@ -33,13 +39,5 @@ bool centerRing(CriticalModel& model, Ring& ring);
  * @returns none where noise hides signs, or where the surface ends
  */
 std::optional<RingCount> countAround(CriticalModel& model, const Ring& ring);
-
-/**
- * The turns of the gradient along a ring: the sum of the indices of all critical points within
- * (Poincare and Hopf).
- *
- * @returns none where the surface ends, or the gradient nearly vanishes on the ring
- */
-std::optional<int> indexWithin(CriticalModel& model, const Ring& ring);
 
 } // namespace SurfaceScalars
