@@ -17,6 +17,7 @@ namespace
 // In radii of the fits.
 constexpr double PairDistance = 1.4; // of a saddle and an extremum that may be left out together
 constexpr double SamePlace = 1e-6;
+constexpr double RidgeBend = 0.1;   // change of the Hessian to its larger eigenvalue
 constexpr double RidgeRatio = 0.01; // of eigenvalues: less may be the misfit to a curved ridge
 
 int indexOf(const TypedPoint& point)
@@ -154,11 +155,13 @@ std::vector<RefinedPoint> withoutPairs(const std::vector<RefinedPoint>& places)
   return single;
 }
 
-/// Along which f hardly changes: noise turns the gradient there.
+/// Along which f hardly changes: noise turns the gradient there. Between a saddle and an extremum
+/// the smaller curvature vanishes, too, but the Hessian changes.
 bool isOnRidge(const RefinedPoint& place)
 {
   const Vector2d sizes = place.curvature.cwiseAbs();
-  return sizes.minCoeff() < RidgeRatio * sizes.maxCoeff();
+  return sizes.minCoeff() < RidgeRatio * sizes.maxCoeff() &&
+    place.bend < RidgeBend * sizes.maxCoeff();
 }
 
 TypedPoint typedByIndex(const RefinedPoint& place)
