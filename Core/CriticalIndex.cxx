@@ -17,6 +17,7 @@ namespace
 // In radii of the fits.
 constexpr double PairDistance = 1.4; // of a saddle and an extremum that may be left out together
 constexpr double SamePlace = 1e-6;
+constexpr double Resolved = 5.0;    // larger eigenvalue to its standard error
 constexpr double RidgeBend = 0.1;   // change of the Hessian to its larger eigenvalue
 constexpr double RidgeRatio = 0.01; // of eigenvalues: less may be the misfit to a curved ridge
 
@@ -164,6 +165,12 @@ bool isOnRidge(const RefinedPoint& place)
     place.bend < RidgeBend * sizes.maxCoeff();
 }
 
+/// Whether fits see f curved there: else samples are too coarse, and gradients turn by chance.
+bool isResolved(const RefinedPoint& place)
+{
+  return place.significance[1] >= Resolved;
+}
+
 TypedPoint typedByIndex(const RefinedPoint& place)
 {
   const int index = indexOf(place);
@@ -190,7 +197,7 @@ void settleIndices(std::vector<TypedPoint>& points, const std::vector<RefinedPoi
   }
   for (const RefinedPoint& place : withoutPairs(leftOut(kept, places)))
   {
-    if (isOnRidge(place))
+    if (isOnRidge(place) || !isResolved(place))
     {
       continue;
     }

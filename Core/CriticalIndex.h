@@ -15,7 +15,8 @@ namespace SurfaceScalars
  * - one around which it turns otherwise than the Hessian says is uncertain, and so is one that
  *   circles around its parts type against the sum of these;
  * - what is left out has index 0 in total: a saddle and an extremum that are close to each other
- *   may be left out or uncertain together, one of them alone gets the type that the turns tell.
+ *   may be left out or uncertain together, one of them alone gets the type that the turns tell,
+ *   unless it is on a ridge or f is too coarsely sampled there for its curvature to be seen.
  *
  * @param places all that there are, with their own indices first, completed
  */
