@@ -32,8 +32,7 @@ std::string largestDifference(const NoisyFunction& f, const Values& a, const Val
 
 std::string meanDifference(const NoisyFunction& f, const Values& a, const Values& b)
 {
-  return number(
-    "%.4f", (a - b).norm() / std::sqrt(static_cast<double>(a.size())) / f.range);
+  return number("%.4f", (a - b).norm() / std::sqrt(static_cast<double>(a.size())) / f.range);
 }
 
 SmoothingParameters parametersOf(SmoothingMethod method)
@@ -97,8 +96,8 @@ void tabulateSimplification(const PaperMeshes& meshes)
     { "threshold, of f's range", "m / M / s with delta", "with persistence" });
   for (std::size_t i = 0; i < curve.thresholds.size(); ++i)
   {
-    writeRow({ number("%g", curve.thresholds[i]), text(curve.byDelta[i]),
-      text(curve.byPersistence[i]) });
+    writeRow(
+      { number("%g", curve.thresholds[i]), text(curve.byDelta[i]), text(curve.byPersistence[i]) });
   }
 }
 
@@ -155,7 +154,8 @@ void tabulateConstraints(const PaperMeshes& meshes)
       smoothFunction(f.mesh, f.noisy, parameters).values));
   }
 
-  writeHead("Fig. 11, 12, 14: constraints at persistent critical points, " + f.name, ComparisonHead);
+  writeHead(
+    "Fig. 11, 12, 14: constraints at persistent critical points, " + f.name, ComparisonHead);
   for (const auto& [method, name] :
     { std::pair(SmoothingMethod::InterpolatingConstraints, "interpolating"),
       std::pair(SmoothingMethod::LeastSquaresConstraints, "least squares"),

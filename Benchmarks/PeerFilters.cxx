@@ -80,8 +80,8 @@ Values salientSmoothing(const PointsRef& vertices, const MeshTopology& mesh,
       for (const Index neighbor : ball.around(vertex, parameters.radius))
       {
         const double difference = current[neighbor] - current[vertex];
-        const double w = weight((vertices.col(neighbor) - vertices.col(vertex)).squaredNorm(),
-                           parameters.spread) *
+        const double w =
+          weight((vertices.col(neighbor) - vertices.col(vertex)).squaredNorm(), parameters.spread) *
           weight(difference * difference, parameters.range);
         sum += w * difference;
         weights += w;

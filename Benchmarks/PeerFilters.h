@@ -7,8 +7,8 @@ namespace SurfaceScalars::Benchmark
 {
 
 /**
- * Taubin's low-pass filter (1995; reference 24 of the smoothing paper): x - lambda L x, then x - mu L x, with L the
- * Laplacian whose rows are divided by their diagonal.
+ * Taubin's low-pass filter (1995; reference 24 of the smoothing paper): x - lambda L x, then x - mu
+ * L x, with L the Laplacian whose rows are divided by their diagonal.
  *
  * @param lambda of the first of two passes, positive; the second's is -1 / (1 / lambda - 0.1)
  */
@@ -24,7 +24,8 @@ struct SalientParameters
 
 /**
  * The bilateral filter of Liu et al. (2007; reference 15 of the smoothing paper, its sec. 2.2). The
- * differences f_ij that are averaged keep their sign: with the magnitudes that are printed, f would only grow.
+ * differences f_ij that are averaged keep their sign: with the magnitudes that are printed, f would
+ * only grow.
  */
 Values salientSmoothing(const PointsRef& vertices, const MeshTopology& mesh,
   const ValuesRef& values, const SalientParameters& parameters);
