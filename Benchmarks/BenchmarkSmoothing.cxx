@@ -1,5 +1,6 @@
 #include "ParameterCurve.h"
 #include "PeakMemory.h"
+#include "RowScaling.h"
 #include "Tikhonov.h"
 
 #include <benchmark/benchmark.h>
@@ -78,8 +79,7 @@ Eigen::SparseMatrix<double> assembled(const Input& input)
 {
   const Laplacian& laplacian = *input.laplacian;
   const double weight = Epsilon / std::pow(laplacian.mass.sum(), 2);
-  const Eigen::SparseMatrix<double> scaled =
-    laplacian.mass.cwiseInverse().asDiagonal() * laplacian.stiffness;
+  const Eigen::SparseMatrix<double> scaled = divideRows(laplacian.stiffness, laplacian.mass);
   return Eigen::SparseMatrix<double>(laplacian.stiffness * scaled) + weight * input.metric;
 }
 

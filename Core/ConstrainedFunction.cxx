@@ -3,6 +3,7 @@
 #include "ComponentMeans.h"
 #include "ConstrainedVertices.h"
 #include "KrylovSolver.h"
+#include "RowScaling.h"
 #include "SparseCholesky.h"
 
 #include <memory>
@@ -40,8 +41,7 @@ Values leastBiharmonic(const Laplacian& laplacian, const std::vector<int>& unkno
   const Values& given, const Execution& execution)
 {
   const Matrix columns = columnsOf(laplacian.stiffness, unknowns);
-  const Values inverseMass = laplacian.mass.cwiseInverse();
-  const Matrix scaled = inverseMass.asDiagonal() * columns;
+  const Matrix scaled = divideRows(columns, laplacian.mass);
   const SparseCholesky cholesky(
     std::make_shared<Matrix>(columns.transpose() * scaled), execution.part(0.0, 0.8));
   const auto image = [&](const Values& vector, const Execution&) -> Values
