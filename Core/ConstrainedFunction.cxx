@@ -41,7 +41,7 @@ Values leastBiharmonic(const Laplacian& laplacian, const std::vector<int>& unkno
   const Values& given, const Execution& execution)
 {
   const Matrix columns = columnsOf(laplacian.stiffness, unknowns);
-  const Matrix scaled = divideRows(columns, laplacian.mass);
+  const Matrix scaled = scaleRows(columns, laplacian.mass.cwiseInverse());
   const SparseCholesky cholesky(
     std::make_shared<Matrix>(columns.transpose() * scaled), execution.part(0.0, 0.8));
   const auto image = [&](const Values& vector, const Execution&) -> Values

@@ -1,5 +1,6 @@
 #include "Laplacian.h"
 #include "Require.h"
+#include "RowScaling.h"
 
 #include <Eigen/Geometry>
 
@@ -185,7 +186,7 @@ Laplacian meshLaplacian(const PointsRef& vertices, const Triangles& triangles,
   if (meanValue)
   {
     result.stiffness =
-      meanValueScales(result.stiffness, vertices, result.mass).asDiagonal() * result.stiffness;
+      scaleRows(result.stiffness, meanValueScales(result.stiffness, vertices, result.mass));
   }
   execution.report(1.0);
   return result;

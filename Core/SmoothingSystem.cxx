@@ -61,7 +61,7 @@ std::shared_ptr<const Eigen::SparseMatrix<double>> SmoothingSystem::toBeFactored
     result->diagonal() += std::sqrt(weight) * mass.cwiseProduct(this->rowSums_).cwiseSqrt();
     return result;
   }
-  const Eigen::SparseMatrix<double> scaled = divideRows(stiffness, mass);
+  const Eigen::SparseMatrix<double> scaled = scaleRows(stiffness, mass.cwiseInverse());
   const Eigen::SparseMatrix<double> metric = this->metric_;
   return std::make_shared<Eigen::SparseMatrix<double>>(
     Eigen::SparseMatrix<double>(stiffness.transpose() * scaled) + weight * metric);
