@@ -78,7 +78,7 @@ public:
   /// 0 if the gradient is not known at all corners.
   int indexOf(int i, int j, const std::vector<std::optional<double>>& angles) const
   {
-    const auto row = static_cast<std::size_t>(this->count_ + 1);
+    const auto row = static_cast<std::size_t>(this->count_) + 1;
     const auto first = static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i);
     const std::array<std::size_t, 5> around{ first, first + 1, first + row + 1, first + row,
       first };
