@@ -17,6 +17,7 @@ namespace
 constexpr double Accuracy = 1e-5;           // of solutions
 constexpr double DerivativeAccuracy = 1e-3; // of a quadratic form, whose error is its square
 constexpr double Step = 1.5;                // of log10 epsilon, before it is refined
+constexpr double CornerStep = 0.75;         // the same, of the L-curve, whose corner is narrow
 constexpr int Refinements = 2;              // each halves the step about the best
 constexpr int Extensions = 4;               // steps beyond the range
 constexpr Eigen::Index ProbeValues = 1000;
@@ -29,13 +30,39 @@ struct Entry
   double curvature;
 };
 
+/// The largest magnitude, 1 if all are 0.
+double unitOf(const ValuesRef& values)
+{
+  const double largest = values.lpNorm<Eigen::Infinity>();
+  return largest > 0.0 ? largest : 1.0;
+}
+
+constexpr Eigen::Index NoCorner = 0; ///< the first entry has no neighbor below it
+
+/// Where the curvature is largest, positive and larger than at both neighbors.
+Eigen::Index cornerOf(const Values& curvatures)
+{
+  Eigen::Index result = NoCorner;
+  for (Eigen::Index i = 1; i + 1 < curvatures.size(); ++i)
+  {
+    const bool isPeak =
+      curvatures[i] > std::max(0.0, curvatures[i - 1]) && curvatures[i] > curvatures[i + 1];
+    if (isPeak && (result == NoCorner || curvatures[i] > curvatures[result]))
+    {
+      result = i;
+    }
+  }
+  return result;
+}
+
 class CurveBuilder
 {
 public:
   CurveBuilder(const TikhonovSmoother& smoother, const ValuesRef& values, EpsilonChoice choice,
     NoiseShares& shares, const Execution& execution)
     : smoother_(smoother)
-    , values_(values)
+    , scale_(unitOf(values))
+    , values_(values / scale_)
     , choice_(choice)
     , shares_(shares)
     , execution_(execution)
@@ -60,6 +87,7 @@ private:
   void refine();
 
   const TikhonovSmoother& smoother_;
+  double scale_; ///< so that squares are in range
   const Values values_;
   EpsilonChoice choice_;
   NoiseShares& shares_;
@@ -123,14 +151,21 @@ void CurveBuilder::add(double logEpsilon)
   this->entries_.emplace(logEpsilon, entry);
 }
 
+/// At the corner of the L-curve, if it has one; otherwise where cross-validation is best.
 std::map<double, Entry>::const_iterator CurveBuilder::best() const
 {
-  return std::min_element(this->entries_.begin(), this->entries_.end(),
-    [this](const auto& a, const auto& b)
+  if (this->choice_ == EpsilonChoice::LCurve)
+  {
+    Values curvatures(this->entries_.size());
+    std::transform(this->entries_.begin(), this->entries_.end(), curvatures.begin(),
+      [](const auto& entry) { return entry.second.curvature; });
+    if (const Eigen::Index corner = cornerOf(curvatures); corner != NoCorner)
     {
-      return this->choice_ == EpsilonChoice::LCurve ? a.second.curvature > b.second.curvature
-                                                    : a.second.gcv < b.second.gcv;
-    });
+      return std::next(this->entries_.begin(), corner);
+    }
+  }
+  return std::min_element(this->entries_.begin(), this->entries_.end(),
+    [](const auto& a, const auto& b) { return a.second.gcv < b.second.gcv; });
 }
 
 void CurveBuilder::extend()
@@ -155,7 +190,7 @@ void CurveBuilder::extend()
 
 void CurveBuilder::refine()
 {
-  double step = Step;
+  double step = this->choice_ == EpsilonChoice::LCurve ? CornerStep : Step;
   for (int i = 0; i < Refinements; ++i)
   {
     const double middle = this->best()->first;
@@ -170,11 +205,12 @@ ParameterCurve CurveBuilder::build()
   const double size = std::sqrt(this->smoother_.area());
   const double edge = size / std::sqrt(static_cast<double>(this->values_.size()));
   const double first = this->logEpsilon(size);
-  const double count = std::ceil((this->logEpsilon(0.5 * edge) - first) / Step);
-  this->planned_ = count + 1.0 + 2 * Refinements;
-  for (int i = 0; i <= static_cast<int>(count); ++i)
+  const double step = this->choice_ == EpsilonChoice::LCurve ? CornerStep : Step;
+  const int count = static_cast<int>(std::ceil((this->logEpsilon(0.5 * edge) - first) / step));
+  this->planned_ = count + 1 + 2 * Refinements + Extensions;
+  for (int i = 0; i <= count; ++i)
   {
-    this->add(first + i * Step);
+    this->add(first + i * step);
   }
   this->extend();
   this->refine();
@@ -190,9 +226,9 @@ ParameterCurve CurveBuilder::build()
   for (const auto& [logEpsilon, entry] : this->entries_)
   {
     result.epsilons[row] = std::pow(10.0, logEpsilon);
-    result.residuals[row] = entry.residual;
-    result.seminorms[row] = entry.seminorm;
-    result.gcv[row] = entry.gcv;
+    result.residuals[row] = this->scale_ * entry.residual;
+    result.seminorms[row] = this->scale_ * entry.seminorm;
+    result.gcv[row] = this->scale_ * this->scale_ * entry.gcv;
     result.curvatures[row] = entry.curvature;
     ++row;
   }
@@ -230,9 +266,14 @@ ParameterCurve parameterCurve(const TikhonovSmoother& smoother, const ValuesRef&
 double chooseEpsilon(const ParameterCurve& curve, EpsilonChoice choice)
 {
   require(choice != EpsilonChoice::Manual, "GCV 0 or LCurve 1", "Manual 2", "Choose one of these.");
-  const Values badness = choice == EpsilonChoice::LCurve ? Values(-curve.curvatures) : curve.gcv;
-  Eigen::Index best = 0;
-  badness.minCoeff(&best);
+  const Eigen::Index corner = cornerOf(curve.curvatures);
+  const bool hasCorner = choice == EpsilonChoice::LCurve && corner != NoCorner;
+  const Values badness = hasCorner ? Values(-curve.curvatures) : curve.gcv;
+  Eigen::Index best = corner;
+  if (!hasCorner)
+  {
+    badness.minCoeff(&best);
+  }
   if (best == 0 || best == badness.size() - 1)
   {
     return curve.epsilons[best];

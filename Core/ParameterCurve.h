@@ -11,7 +11,8 @@ namespace SurfaceScalars
 enum class EpsilonChoice
 {
   GCV = 0,    ///< generalized cross-validation: least mean (f - x)^2 / (1 - trace / n)^2
-  LCurve = 1, ///< largest curvature of log seminorm over log residual (Hansen and O'Leary, 1993)
+  LCurve = 1, ///< the corner of log seminorm over log residual, where its curvature is positive and
+              ///< largest (Hansen and O'Leary, 1993); as GCV if it has none
   Manual = 2
 };
 

@@ -66,11 +66,13 @@ bool usesMask(vtkConstrainedSmoothing& filter)
 
 /// Which vertices are marked. NaN marks none.
 std::vector<char> readMask(vtkConstrainedSmoothing& filter, vtkPolyData* input,
-  const VertexMap& map, const Execution& execution)
+  const std::string& valueName, const VertexMap& map, const Execution& execution)
 {
   const char* name = filter.GetConstraintArray();
   require(name && *name, "a ConstraintArray, a point array that marks points", "none",
     "Choose one, or other Constraints.");
+  require(name != valueName, "a ConstraintArray other than the function's own array",
+    "'" + valueName + "'", "Choose one, or other Constraints.");
   const ScalarChoice choice = chooseScalars(filter, { input }, ConstraintIndex);
   Values marks(input->GetNumberOfPoints());
   copyNumbers(choice.arrays.front(), marks.data(), execution);
@@ -189,7 +191,8 @@ int vtkConstrainedSmoothing::RequestData(
       const VertexMap& map = mesh.surface.map;
       if (usesMask(*this))
       {
-        parameters.mask = readMask(*this, input, map, execution.part(ReadShare, ReadShare));
+        parameters.mask =
+          readMask(*this, input, mesh.valueName, map, execution.part(ReadShare, ReadShare));
       }
       const SmoothingMesh& known =
         this->Memory->meshOf(mesh.surface, execution.part(ReadShare, MeshShare));

@@ -38,8 +38,8 @@
  * multiplicity, are left at each Threshold of delta and of persistence.
  *
  * Field data of ports 0 and 1: CriticalCounts, the minima, saddles (with their multiplicity) and
- * maxima of port 1; EulerCharacteristic of the mesh, which with Delta 0 is minima - saddles +
- * maxima if those on the boundary count half.
+ * maxima of port 1; EulerCharacteristic of the mesh, which with both thresholds 0 is minima -
+ * saddles + maxima if those on the boundary count half, and on a closed mesh whenever Delta is 0.
  *
  * Vertices and lines, triangles with the same corner twice, points without a finite position or
  * value with their triangles, and points in no triangle are left out; a warning counts them. The

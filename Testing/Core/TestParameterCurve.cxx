@@ -136,6 +136,25 @@ TEST(ParameterCurve, isThatOfDenseMatrices)
   }
 }
 
+// Where the L-curve has no corner, epsilon is that of cross-validation, and not at an end of the
+// range.
+TEST(ParameterCurve, takesCrossValidationWithoutACorner)
+{
+  ParameterCurve curve;
+  curve.epsilons =
+    Values::LinSpaced(5, 1.0, 5.0).unaryExpr([](double x) { return std::pow(10, x); });
+  curve.gcv = (Values(5) << 4.0, 3.0, 1.0, 2.0, 5.0).finished();
+  for (const Values& bent :
+    { Values(-Values::Ones(5)), Values(Values::LinSpaced(5, -2.0, 2.0)), Values(Values::Zero(5)) })
+  {
+    curve.curvatures = bent;
+    EXPECT_EQ(
+      chooseEpsilon(curve, EpsilonChoice::LCurve), chooseEpsilon(curve, EpsilonChoice::GCV));
+  }
+  curve.curvatures = (Values(5) << 9.0, 0.0, -1.0, 1.0, 0.0).finished();
+  EXPECT_NEAR(std::log10(chooseEpsilon(curve, EpsilonChoice::LCurve)), 4.0, 0.5);
+}
+
 // The unit of f, a constant added and the unit of length do not matter.
 TEST(ParameterCurve, hasNoUnit)
 {

@@ -308,6 +308,8 @@ TEST(ConstrainedSmoothingFilter, refusesMasksThatMarkNothing)
   const auto filter = smoothing(mesh, Filter::INTERPOLATING_CONSTRAINTS);
   filter->SetConstraints(Filter::MASK_ARRAY);
   expectRefusal(filter, { "ConstraintArray", "none" });
+  filter->SetConstraintArray("f"); // what pvpython fills in
+  expectRefusal(filter, { "other than the function's own array", "'f'" });
   filter->SetConstraintArray("nope");
   expectRefusal(filter, { "'nope'", "none of this name", "'zero'" });
   filter->SetConstraintArray("zero");
