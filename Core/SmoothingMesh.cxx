@@ -39,7 +39,7 @@ const TikhonovSmoother& SmoothingMesh::smoother(
     Eigen::SparseMatrix<double> metric =
       metricMatrix(norms.metric, *laplacian, this->vertices_, this->topology_.triangles());
     metric *= laplacian->mass.sum() / metric.sum();
-    smoother = std::make_unique<const TikhonovSmoother>(laplacian, std::move(metric), norms.energy);
+    smoother = std::make_unique<const TikhonovSmoother>(laplacian, metric, norms.energy);
   }
   return *smoother;
 }

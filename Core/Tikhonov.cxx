@@ -72,7 +72,7 @@ Eigen::SparseMatrix<double> metricMatrix(DataMetric metric, const Laplacian& lap
 }
 
 TikhonovSmoother::TikhonovSmoother(std::shared_ptr<const Laplacian> laplacian,
-  Eigen::SparseMatrix<double> metric, SmoothingEnergy energy)
+  const Eigen::SparseMatrix<double>& metric, SmoothingEnergy energy)
 {
   const std::string size = std::to_string(laplacian->mass.size());
   require(metric.rows() == laplacian->mass.size() && metric.cols() == metric.rows(),

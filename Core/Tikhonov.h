@@ -57,8 +57,8 @@ public:
   /// @param metric W, n x n, positive definite, of positive row sums: metricMatrix(). Or diagonal
   /// with zeros, but not all over a component: f is not known there
   /// @throws InvalidInput for another size
-  TikhonovSmoother(std::shared_ptr<const Laplacian> laplacian, Eigen::SparseMatrix<double> metric,
-    SmoothingEnergy energy);
+  TikhonovSmoother(std::shared_ptr<const Laplacian> laplacian,
+    const Eigen::SparseMatrix<double>& metric, SmoothingEnergy energy);
 
   /**
    * Linear in f; constants on a component remain, and if the weights are symmetric the mean over
