@@ -79,7 +79,8 @@ Eigen::SparseMatrix<double> assembled(const Input& input)
 {
   const Laplacian& laplacian = *input.laplacian;
   const double weight = Epsilon / std::pow(laplacian.mass.sum(), 2);
-  const Eigen::SparseMatrix<double> scaled = divideRows(laplacian.stiffness, laplacian.mass);
+  const Eigen::SparseMatrix<double> scaled =
+    scaleRows(laplacian.stiffness, laplacian.mass.cwiseInverse());
   return Eigen::SparseMatrix<double>(laplacian.stiffness * scaled) + weight * input.metric;
 }
 
