@@ -1,5 +1,7 @@
 #include "SmoothingFeatures.h"
 
+#include "ValueOrder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -117,41 +119,93 @@ Index endOfSteps(const MeshTopology& mesh, Index vertex, const Order& isBefore)
   }
 }
 
-/// To the ends of their steps, but for those that share one and those that would not be near.
+/// The ends of their steps, but for those that share one and those that would not be near.
 template <class Order, class Nearness>
 std::vector<Index> movedAlong(const MeshTopology& mesh, const std::vector<Index>& vertices,
   const Order& isBefore, const Nearness& isNear)
 {
+  std::vector<Index> result;
   std::map<Index, int> arrivals;
   for (const Index vertex : vertices)
   {
-    ++arrivals[endOfSteps(mesh, vertex, isBefore)];
+    result.push_back(endOfSteps(mesh, vertex, isBefore));
+    ++arrivals[result.back()];
   }
-  std::vector<Index> result;
-  for (const Index vertex : vertices)
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    const Index end = endOfSteps(mesh, vertex, isBefore);
-    result.push_back(arrivals[end] == 1 && isNear(vertex, end) ? end : vertex);
+    result[i] =
+      arrivals[result[i]] == 1 && isNear(vertices[i], result[i]) ? result[i] : vertices[i];
   }
-  std::sort(result.begin(), result.end());
   return result;
 }
 
-/// Whether no two of the vertices are neighbors.
-bool areApart(const MeshTopology& mesh, const std::vector<Index>& vertices)
+/// How many of the extrema are at each vertex.
+class Occupation
 {
-  std::vector<char> isOne(mesh.vertexCount(), 0);
-  for (const Index vertex : vertices)
+public:
+  Occupation(const MeshTopology& mesh, const ExtremalVertices& extrema)
+    : mesh_(mesh)
+    , minima_(mesh.vertexCount(), 0)
+    , maxima_(mesh.vertexCount(), 0)
   {
-    isOne[vertex] = 1;
+    count(extrema.minima, this->minima_);
+    count(extrema.maxima, this->maxima_);
   }
-  return std::none_of(vertices.begin(), vertices.end(),
-    [&](Index vertex)
+
+  /// Takes minima back to where they were that share their vertex or have a minimum next to them.
+  bool undoMinima(std::vector<Index>& moved, const std::vector<Index>& before)
+  {
+    return this->undo(moved, before, this->minima_, this->maxima_);
+  }
+
+  bool undoMaxima(std::vector<Index>& moved, const std::vector<Index>& before)
+  {
+    return this->undo(moved, before, this->maxima_, this->minima_);
+  }
+
+private:
+  static void count(const std::vector<Index>& vertices, std::vector<int>& counts)
+  {
+    for (const Index vertex : vertices)
     {
-      const VertexRange link = mesh.link(vertex);
-      return std::any_of(
-        link.begin(), link.end(), [&](Index neighbor) { return isOne[neighbor] != 0; });
-    });
+      ++counts[vertex];
+    }
+  }
+
+  bool undo(std::vector<Index>& moved, const std::vector<Index>& before, std::vector<int>& same,
+    const std::vector<int>& others) const
+  {
+    bool isUndone = false;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      const VertexRange link = this->mesh_.link(moved[i]);
+      const bool isAlone = same[moved[i]] == 1 && others[moved[i]] == 0 &&
+        std::none_of(link.begin(), link.end(), [&](Index neighbor) { return same[neighbor] != 0; });
+      if (moved[i] != before[i] && !isAlone)
+      {
+        --same[moved[i]];
+        moved[i] = before[i];
+        ++same[moved[i]];
+        isUndone = true;
+      }
+    }
+    return isUndone;
+  }
+
+  const MeshTopology& mesh_;
+  std::vector<int> minima_;
+  std::vector<int> maxima_;
+};
+
+/// Undoes moves until keepExtrema() can keep all: as it could before any move.
+void undoClashes(const MeshTopology& mesh, ExtremalVertices& moved, const ExtremalVertices& before)
+{
+  Occupation occupation(mesh, moved);
+  for (bool isUndone = true; isUndone;)
+  {
+    isUndone = occupation.undoMinima(moved.minima, before.minima);
+    isUndone = occupation.undoMaxima(moved.maxima, before.maxima) || isUndone;
+  }
 }
 
 } // namespace
@@ -188,14 +242,16 @@ ExtremalVertices placed(const SmoothingData& data, const ExtremalVertices& extre
   const Values& further, double tolerance)
 {
   const MeshTopology& topology = data.mesh.topology();
-  const auto isBelow = [&](Index a, Index b)
-  { return further[a] < further[b] || (further[a] == further[b] && a < b); };
+  const ValueOrder isBelow{ further.data() };
   const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
   const auto isNear = [&](Index a, Index b)
   { return std::abs(data.smooth[a] - data.smooth[b]) <= tolerance; };
-  const ExtremalVertices moved{ movedAlong(topology, extrema.minima, isBelow, isNear),
+  ExtremalVertices moved{ movedAlong(topology, extrema.minima, isBelow, isNear),
     movedAlong(topology, extrema.maxima, isAbove, isNear) };
-  return areApart(topology, moved.minima) && areApart(topology, moved.maxima) ? moved : extrema;
+  undoClashes(topology, moved, extrema);
+  std::sort(moved.minima.begin(), moved.minima.end());
+  std::sort(moved.maxima.begin(), moved.maxima.end());
+  return moved;
 }
 
 std::vector<ValueConstraint> constraintsOf(
