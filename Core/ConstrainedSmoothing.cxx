@@ -153,7 +153,8 @@ Values smoothed(SmoothingData& data, const SmoothingParameters& parameters, doub
         constraintsOf(data, parameters, execution.part(0.0, 0.2)), epsilon,
         execution.part(0.2, 1.0), data.mesh.nameOf());
     case SmoothingMethod::FeaturePreserving:
-      data.promised = placedFeatures(data, parameters, epsilon, execution.part(0.0, 0.5));
+      data.asked = askedOfInput(data, parameters, execution.part(0.0, 0.1));
+      data.promised = placedFeatures(data, parameters, epsilon, execution.part(0.1, 0.5));
       return keepExtrema(data.mesh.topology(), data.smooth, data.promised.minima,
         data.promised.maxima, execution.part(0.5, 1.0), data.mesh.nameOf());
   }
@@ -174,20 +175,26 @@ CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
   return counts;
 }
 
-/// What was promised and is not there; of extrema that were chosen for their persistence, those of
-/// f without a counterpart.
+/// The persistence above which extrema of f are missed if they have no counterpart: all that are
+/// marked; of others those that noise does not explain.
+double missedPersistence(const SmoothingData& data, const SmoothingParameters& parameters)
+{
+  if (parameters.constraints == ConstraintChoice::MaskArray)
+  {
+    return 0.0;
+  }
+  const double chosen = parameters.constraints == ConstraintChoice::Persistent
+    ? parameters.persistenceThreshold * data.range
+    : 0.0;
+  return chosen + persistenceOfNoise(data.mesh.topology(), data.input);
+}
+
+/// The chosen extrema of f without a counterpart, and what was promised and is not there.
 std::vector<Index> lostExtrema(const SmoothingData& data, const SmoothingParameters& parameters,
   const ExtremalVertices& found, const Execution& execution)
 {
-  const MeshTopology& topology = data.mesh.topology();
-  const bool areAll = parameters.constraints == ConstraintChoice::AllCriticalPoints;
-  std::vector<Index> lost;
-  if (areAll || parameters.constraints == ConstraintChoice::Persistent)
-  {
-    const double threshold = areAll ? 0.0 : parameters.persistenceThreshold * data.range;
-    lost = unmatchedExtrema(
-      topology, data.input, found, threshold + persistenceOfNoise(topology, data.input), execution);
-  }
+  std::vector<Index> lost = unmatchedExtrema(data.mesh.topology(), data.input, found,
+    missedPersistence(data, parameters), data.asked, execution);
   const auto addMissing = [&](const std::vector<Index>& promised, const std::vector<Index>& there)
   {
     std::set_difference(
@@ -208,7 +215,7 @@ SmoothedFunction smoothFunction(const SmoothingMesh& mesh, const ValuesRef& valu
   SmoothedFunction result;
   result.values = values;
   result.inputCounts = classifyVertices(topology, values, execution.part(0.0, 0.02)).counts;
-  SmoothingData data{ mesh, values, {}, {}, values.maxCoeff() - values.minCoeff() };
+  SmoothingData data{ mesh, values, {}, {}, values.maxCoeff() - values.minCoeff(), {} };
   if (data.range > 0.0)
   {
     const TikhonovSmoother& smoother = mesh.smoother(parameters.norms, execution.part(0.02, 0.05));

@@ -22,7 +22,7 @@ enum class SmoothingMethod
 enum class ConstraintChoice
 {
   AllCriticalPoints = 0,
-  DeltaSimplified = 1, ///< those of more than `delta`
+  DeltaSimplified = 1, ///< those of f of more than `delta`
   Persistent = 2,      ///< those of at least `persistenceThreshold`
   MaskArray = 3        ///< marked vertices
 };
@@ -60,8 +60,12 @@ struct SmoothedFunction
  * FeaturePreserving, in four steps:
  * 1. Tikhonov regularization, epsilon by generalized cross-validation unless chosen otherwise.
  * 2. The extrema of the smooth function that `constraints` chooses are to be kept; by default those
- *    whose persistence is at least the threshold. A difference of 1e-9 of f's range is rounding,
- *    not a feature. The lowest and the highest vertex of each component are always kept.
+ *    whose persistence is at least the threshold. One without a counterpart in f is ringing, and a
+ *    difference of 1e-9 of f's range is rounding: no features. MaskArray and DeltaSimplified choose
+ *    extrema of f: for each the smooth function's at that vertex is kept, else the lowest, or
+ *    highest, that no other takes in the component that it owns (FeatureMatching.h). A mark on
+ *    another extremum of the smooth function keeps that too. The lowest and the highest vertex of
+ *    each component are always kept.
  * 3. Where an extremum is, is a matter of the gradient, in which noise is stronger than in the
  *    values: each moves to the place it has if f is smoothed with 1.5 times the smoothing length,
  *    unless the values there and here differ by more than the noise that is left.
@@ -69,9 +73,9 @@ struct SmoothedFunction
  *    are classified again, and compared with f: see `lost`.
  *
  * What is promised, and what is not:
- * - The result has exactly as many minima and maxima as were chosen, near those of the smooth
- *   function: not at those of f, where noise has moved them. One that is not at its vertex when the
- *   values are classified again would be in `lost`.
+ * - The result has exactly as many minima and maxima as are kept, near those of the smooth function:
+ *   not at those of f, where noise has moved them. One that is not at its vertex when the values
+ *   are classified again would be in `lost`. They are not more than f has, unless marks add some.
  * - On a closed mesh there are as many saddles, counted with multiplicity, as Euler's formula asks
  *   for; the two of each handle always remain. Where they lie is not promised.
  * - The result differs from Tikhonov's only around extrema that were removed or moved, by about
@@ -79,9 +83,9 @@ struct SmoothedFunction
  * - How far an extremum is from that of f without noise depends on how curved f is there: within
  *   the smoothing length in the cases of Documentation/smoothing-accuracy.md, farther where f is
  *   flat.
- * - Of AllCriticalPoints and Persistent ones: every extremum of f whose persistence exceeds the
- *   threshold by more than noise explains has one of the result for itself, in the component that
- *   it owns (FeatureMatching.h), or is in `lost`. Noise explains 2 d, with
+ * - Every chosen extremum of f whose persistence exceeds the threshold (0 but for Persistent) by
+ *   more than noise explains, and every marked one of persistence above 0, has one of the result
+ *   for itself, in the component that it owns, or is in `lost`. Noise explains 2 d, with
  *   d = s sqrt(2 log(2 n / 0.01)): of n independent normal errors of standard deviation s, all are
  *   below d with probability 0.99. s is measured on differences from the mean of the neighbors, by
  *   their median, which single spikes do not move. Where noise is much stronger in places than

@@ -1,10 +1,13 @@
 #include "FeatureMatching.h"
 
 #include "MergeTree.h"
+#include "ValueOrder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
 #include <utility>
 
 namespace SurfaceScalars
@@ -12,122 +15,217 @@ namespace SurfaceScalars
 namespace
 {
 
-/// Follows the components of one sweep and lets the extrema that end choose among the matches in
-/// theirs.
-template <class Order>
-class ComponentMatching
+/// Moves one set into the other, the smaller one element by element.
+template <class Set>
+void moveInto(Set& to, Set& from)
+{
+  if (to.size() < from.size())
+  {
+    std::swap(to, from);
+  }
+  to.merge(from);
+  from.clear();
+}
+
+/// Each extremum takes, as it ends, the first match left in its component.
+class InnerFirst
 {
 public:
-  ComponentMatching(const MergeTree& tree, const ValuesRef& values, const Order& isBefore,
-    std::vector<Index> matches)
-    : tree_(tree)
-    , values_(values)
-    , isBefore_(isBefore)
-    , matches_(std::move(matches))
-    , sets_(static_cast<Index>(values.size()))
-    , free_(tree.basins.size(), 0)
+  InnerFirst(
+    const std::vector<Index>& matches, const std::vector<char>& isAsked, double persistence)
+    : matches_(matches)
+    , isAsked_(isAsked)
+    , persistence_(persistence)
   {
-    std::sort(this->matches_.begin(), this->matches_.end(), isBefore);
-    this->next_ = this->matches_.begin();
   }
 
-  std::vector<Index> unmatched(double persistence)
+  void meet(Index component, Index match) { this->free_[component].insert(match); }
+
+  void end(Index extremum, double persistence)
+  {
+    if (!(persistence > this->persistence_) ||
+      (!this->isAsked_.empty() && this->isAsked_[extremum] == 0))
+    {
+      return;
+    }
+    std::set<Index>& free = this->free_[extremum];
+    if (free.empty())
+    {
+      this->unmatched.push_back(extremum);
+      return;
+    }
+    this->taken.push_back(this->matches_[*free.begin()]);
+    free.erase(free.begin());
+  }
+
+  void join(Index younger, Index elder) { moveInto(this->free_[elder], this->free_[younger]); }
+
+  std::vector<Index> taken;
+  std::vector<Index> unmatched;
+
+private:
+  const std::vector<Index>& matches_;
+  const std::vector<char>& isAsked_;
+  double persistence_;
+  std::map<Index, std::set<Index>> free_; ///< of each component, places in the list of matches
+};
+
+/// Of the extrema of a component as many remain as it has matches, the most persistent ones: the
+/// one that it is of is more persistent than those inside.
+class PersistentFirst
+{
+public:
+  void meet(Index component, Index) { ++this->components_[component].matchCount; }
+
+  void end(Index extremum, double persistence)
+  {
+    Component& component = this->components_[extremum];
+    component.extrema.insert({ persistence, extremum });
+    if (component.extrema.size() > component.matchCount)
+    {
+      component.extrema.erase(component.extrema.begin());
+    }
+  }
+
+  void join(Index younger, Index elder)
+  {
+    Component& to = this->components_[elder];
+    Component& from = this->components_[younger];
+    to.matchCount += from.matchCount;
+    moveInto(to.extrema, from.extrema);
+    this->components_.erase(younger);
+  }
+
+  std::vector<Index> extrema() const
   {
     std::vector<Index> result;
-    const auto choose = [&](Index extremum, double ofExtremum)
+    for (const auto& [first, component] : this->components_)
     {
-      if (ofExtremum > persistence && this->free_[extremum]-- == 0)
+      for (const auto& [persistence, extremum] : component.extrema)
       {
-        this->free_[extremum] = 0;
         result.push_back(extremum);
       }
-    };
-    for (const Merge& merge : this->tree_.merges)
-    {
-      this->meetMatches([&](Index match) { return this->isBefore_(match, merge.vertex); });
-      choose(merge.younger, this->difference(merge.younger, merge.vertex));
-      this->sets_.attach(merge.younger, merge.elder);
-      this->free_[merge.elder] += this->free_[merge.younger];
     }
-    this->meetMatches([](Index) { return true; });
-    for (const auto& [extremum, range] : this->rangesOfComponents())
-    {
-      choose(extremum, range);
-    }
-    std::sort(result.begin(), result.end());
     return result;
   }
 
 private:
-  double difference(Index a, Index b) const
+  struct Component
   {
-    return std::abs(this->values_[a] - this->values_[b]);
-  }
+    std::size_t matchCount = 0;
+    std::set<std::pair<double, Index>> extrema; ///< that ended, by persistence
+  };
 
-  template <class Condition>
-  void meetMatches(const Condition& isMet)
-  {
-    for (; this->next_ != this->matches_.end() && isMet(*this->next_); ++this->next_)
-    {
-      ++this->free_[this->sets_.find(this->tree_.basins[*this->next_])];
-    }
-  }
-
-  /// By the first extremum of each, which never ends.
-  std::map<Index, double> rangesOfComponents()
-  {
-    std::map<Index, double> ranges;
-    for (Index vertex = 0; vertex < this->tree_.basins.size(); ++vertex)
-    {
-      const Index first = this->sets_.find(this->tree_.basins[vertex]);
-      double& range = ranges[first];
-      range = std::max(range, this->difference(first, vertex));
-    }
-    return ranges;
-  }
-
-  const MergeTree& tree_;
-  const ValuesRef& values_;
-  const Order& isBefore_;
-  std::vector<Index> matches_; ///< in the order of the sweep
-  std::vector<Index>::const_iterator next_;
-  DisjointSets sets_;
-  std::vector<int> free_; ///< matches met in the component of an extremum and not taken
+  std::map<Index, Component> components_; ///< by extremum
 };
 
-template <class Order>
-std::vector<Index> unmatched(const MeshTopology& mesh, const ValuesRef& values,
-  const std::vector<Index>& matches, const Order& isBefore, double persistence, const Poll& poll)
+/// The range of values on each component, by its first extremum, which never ends.
+std::map<Index, double> rangesOf(
+  DisjointSets& sets, const std::vector<Index>& basins, const ValuesRef& values)
+{
+  std::map<Index, double> ranges;
+  for (Index vertex = 0; vertex < basins.size(); ++vertex)
+  {
+    const Index first = sets.find(basins[vertex]);
+    double& range = ranges[first];
+    range = std::max(range, std::abs(values[first] - values[vertex]));
+  }
+  return ranges;
+}
+
+/// Follows the components of one sweep: they meet matches, named by their places in the list, join,
+/// and extrema end.
+template <class Order, class Matching>
+void sweep(const MeshTopology& mesh, const ValuesRef& values, const Order& isBefore,
+  const std::vector<Index>& matches, Matching& matching, const Poll& poll)
 {
   const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
   const MergeTree tree = MergeTreeBuilder(mesh.vertexCount(), neighborsOf, isBefore, poll).build();
-  return ComponentMatching(tree, values, isBefore, matches).unmatched(persistence);
+  std::vector<Index> inOrder(matches.size());
+  std::iota(inOrder.begin(), inOrder.end(), Index{ 0 });
+  std::sort(inOrder.begin(), inOrder.end(),
+    [&](Index a, Index b) { return isBefore(matches[a], matches[b]); });
+  DisjointSets sets(mesh.vertexCount());
+  auto next = inOrder.begin();
+  const auto meetMatches = [&](const auto& isMet)
+  {
+    for (; next != inOrder.end() && isMet(matches[*next]); ++next)
+    {
+      matching.meet(sets.find(tree.basins[matches[*next]]), *next);
+    }
+  };
+  for (const Merge& merge : tree.merges)
+  {
+    meetMatches([&](Index match) { return isBefore(match, merge.vertex); });
+    matching.end(merge.younger, std::abs(values[merge.younger] - values[merge.vertex]));
+    matching.join(merge.younger, merge.elder);
+    sets.attach(merge.younger, merge.elder);
+  }
+  meetMatches([](Index) { return true; });
+  for (const auto& [extremum, range] : rangesOf(sets, tree.basins, values))
+  {
+    matching.end(extremum, range);
+  }
 }
 
-} // namespace
-
-std::vector<Index> unmatchedExtrema(const MeshTopology& mesh, const ValuesRef& values,
-  const ExtremalVertices& matches, double persistence, const Execution& execution)
+/// Minima are matched with minima, maxima with maxima.
+template <class Matching>
+void sweepBoth(const MeshTopology& mesh, const ValuesRef& values, const ExtremalVertices& matches,
+  Matching& ofMinima, Matching& ofMaxima, const Execution& execution)
 {
-  const auto isBelow = [&](Index a, Index b)
-  { return values[a] < values[b] || (values[a] == values[b] && a < b); };
+  const ValueOrder isBelow{ values.data() };
   const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
-  std::vector<Index> minima;
-  std::vector<Index> maxima;
   parallelForEach(2, execution,
     [&](std::size_t which, const Poll& poll)
     {
       if (which == 0)
       {
-        minima = unmatched(mesh, values, matches.minima, isBelow, persistence, poll);
+        sweep(mesh, values, isBelow, matches.minima, ofMinima, poll);
       }
       else
       {
-        maxima = unmatched(mesh, values, matches.maxima, isAbove, persistence, poll);
+        sweep(mesh, values, isAbove, matches.maxima, ofMaxima, poll);
       }
     });
-  minima.insert(minima.end(), maxima.begin(), maxima.end());
-  return minima;
+}
+
+std::vector<Index> sorted(std::vector<Index> vertices)
+{
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+} // namespace
+
+std::vector<Index> unmatchedExtrema(const MeshTopology& mesh, const ValuesRef& values,
+  const ExtremalVertices& matches, double persistence, const std::vector<char>& isAsked,
+  const Execution& execution)
+{
+  InnerFirst minima(matches.minima, isAsked, persistence);
+  InnerFirst maxima(matches.maxima, isAsked, persistence);
+  sweepBoth(mesh, values, matches, minima, maxima, execution);
+  std::vector<Index> result = sorted(minima.unmatched);
+  const std::vector<Index> rest = sorted(maxima.unmatched);
+  result.insert(result.end(), rest.begin(), rest.end());
+  return result;
+}
+
+ExtremalVertices takenExtrema(const MeshTopology& mesh, const ValuesRef& values,
+  const ExtremalVertices& matches, const std::vector<char>& isAsked, const Execution& execution)
+{
+  InnerFirst minima(matches.minima, isAsked, 0.0);
+  InnerFirst maxima(matches.maxima, isAsked, 0.0);
+  sweepBoth(mesh, values, matches, minima, maxima, execution);
+  return { sorted(minima.taken), sorted(maxima.taken) };
+}
+
+ExtremalVertices extremaWithCounterpart(const MeshTopology& mesh, const ValuesRef& values,
+  const ExtremalVertices& matches, const Execution& execution)
+{
+  PersistentFirst minima;
+  PersistentFirst maxima;
+  sweepBoth(mesh, values, matches, minima, maxima, execution);
+  return { sorted(minima.extrema()), sorted(maxima.extrema()) };
 }
 
 } // namespace SurfaceScalars

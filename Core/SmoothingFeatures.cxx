@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -52,6 +53,36 @@ std::vector<CriticalPoint> chosenPoints(const SmoothingData& data, const ValuesR
       break;
   }
   return std::move(points);
+}
+
+ExtremalVertices extremaOf(
+  const MeshTopology& mesh, const ValuesRef& function, const Execution& execution)
+{
+  const std::vector<CriticalType> types = classifyVertices(mesh, function, execution).types;
+  ExtremalVertices result;
+  for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
+  {
+    if (types[vertex] == CriticalType::Minimum)
+    {
+      result.minima.push_back(vertex);
+    }
+    else if (types[vertex] == CriticalType::Maximum)
+    {
+      result.maxima.push_back(vertex);
+    }
+  }
+  return result;
+}
+
+/// Those that are in both, ascending.
+ExtremalVertices common(const ExtremalVertices& a, const ExtremalVertices& b)
+{
+  ExtremalVertices result;
+  std::set_intersection(a.minima.begin(), a.minima.end(), b.minima.begin(), b.minima.end(),
+    std::back_inserter(result.minima));
+  std::set_intersection(a.maxima.begin(), a.maxima.end(), b.maxima.begin(), b.maxima.end(),
+    std::back_inserter(result.maxima));
+  return result;
 }
 
 /// Adds the lowest and the highest vertex of each component, ties by index.
@@ -208,6 +239,52 @@ void undoClashes(const MeshTopology& mesh, ExtremalVertices& moved, const Extrem
   }
 }
 
+/// The chosen extrema of the smooth function that have a counterpart in the input.
+ExtremalVertices chosenExtrema(
+  const SmoothingData& data, const SmoothingParameters& parameters, const Execution& execution)
+{
+  const MeshTopology& topology = data.mesh.topology();
+  std::vector<CriticalPoint> points =
+    chosenPoints(data, data.smooth, parameters, execution.part(0.0, 0.5));
+  removeIf(
+    points, [&](const CriticalPoint& point) { return point.persistence <= Rounding * data.range; });
+  const ExtremalVertices ofInput = extremaOf(topology, data.input, execution.part(0.5, 0.6));
+  return common(extremaOf(points),
+    extremaWithCounterpart(topology, data.smooth, ofInput, execution.part(0.6, 1.0)));
+}
+
+/// Takes those that are asked for out of the vertices.
+std::vector<Index> takeAsked(std::vector<Index>& vertices, std::vector<char>& asked)
+{
+  const auto end = std::stable_partition(
+    vertices.begin(), vertices.end(), [&](Index vertex) { return asked[vertex] != 0; });
+  const std::vector<Index> result(vertices.begin(), end);
+  vertices.erase(vertices.begin(), end);
+  for (const Index vertex : result)
+  {
+    asked[vertex] = 0;
+  }
+  return result;
+}
+
+/// The extrema of the smooth function at vertices asked for; for other extrema of the input that
+/// are asked for the lowest, or the highest, that is left in their component.
+ExtremalVertices askedExtrema(const SmoothingData& data, const Execution& execution)
+{
+  const MeshTopology& topology = data.mesh.topology();
+  std::vector<char> asked = data.asked;
+  ExtremalVertices others = extremaOf(topology, data.smooth, execution.part(0.0, 0.3));
+  ExtremalVertices result{ takeAsked(others.minima, asked), takeAsked(others.maxima, asked) };
+  const ValueOrder isBelow{ data.smooth.data() };
+  std::sort(others.minima.begin(), others.minima.end(), isBelow);
+  std::sort(others.maxima.rbegin(), others.maxima.rend(), isBelow);
+  const ExtremalVertices taken =
+    takenExtrema(topology, data.input, others, asked, execution.part(0.3, 1.0));
+  result.minima.insert(result.minima.end(), taken.minima.begin(), taken.minima.end());
+  result.maxima.insert(result.maxima.end(), taken.maxima.begin(), taken.maxima.end());
+  return result;
+}
+
 } // namespace
 
 ExtremalVertices extremaOf(const std::vector<CriticalPoint>& points)
@@ -227,13 +304,30 @@ ExtremalVertices extremaOf(const std::vector<CriticalPoint>& points)
   return result;
 }
 
+std::vector<char> askedOfInput(
+  const SmoothingData& data, const SmoothingParameters& parameters, const Execution& execution)
+{
+  if (parameters.constraints == ConstraintChoice::MaskArray)
+  {
+    return parameters.mask;
+  }
+  std::vector<char> result;
+  if (parameters.constraints == ConstraintChoice::DeltaSimplified)
+  {
+    result.assign(data.mesh.topology().vertexCount(), 0);
+    for (const Index vertex : verticesOf(chosenPoints(data, data.input, parameters, execution)))
+    {
+      result[vertex] = 1;
+    }
+  }
+  return result;
+}
+
 ExtremalVertices extremaToKeep(
   const SmoothingData& data, const SmoothingParameters& parameters, const Execution& execution)
 {
-  std::vector<CriticalPoint> points = chosenPoints(data, data.smooth, parameters, execution);
-  removeIf(
-    points, [&](const CriticalPoint& point) { return point.persistence <= Rounding * data.range; });
-  ExtremalVertices result = extremaOf(points);
+  ExtremalVertices result =
+    data.asked.empty() ? chosenExtrema(data, parameters, execution) : askedExtrema(data, execution);
   addComponentExtrema(result, data.mesh.topology(), data.smooth);
   return result;
 }

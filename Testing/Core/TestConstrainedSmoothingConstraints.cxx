@@ -204,5 +204,67 @@ TEST_F(SmoothingWithConstraints, preserveMarkedExtrema)
   EXPECT_EQ(result.outputCounts.maxima, expected.maxima);
 }
 
+// Marks on extrema of f, which noise has moved, keep those of the smooth function in the components
+// that they own; a marked one of which noise is all there is, is named.
+TEST_F(SmoothingWithConstraints, preserveWhatIsMarkedOfTheInput)
+{
+  parameters_.method = SmoothingMethod::FeaturePreserving;
+  parameters_.constraints = ConstraintChoice::MaskArray;
+  parameters_.mask.assign(vertexCount(), 0);
+  const double range = noisy_.maxCoeff() - noisy_.minCoeff();
+  CriticalCounts expected{ 0, 0, 0 };
+  Index moved = 0;
+  Index ofNoise = 0;
+  for (const CriticalPoint& point : meshCriticalPoints(torus_.mesh, noisy_))
+  {
+    if (point.type == CriticalType::Saddle)
+    {
+      continue;
+    }
+    if (point.persistence > 0.36 * range)
+    {
+      const VertexRange link = mesh_.topology().link(static_cast<Index>(point.input));
+      const double sign = point.type == CriticalType::Minimum ? 1.0 : -1.0;
+      moved += std::any_of(link.begin(), link.end(),
+        [&](Index neighbor) {
+          return sign * smooth_[neighbor] < sign * smooth_[static_cast<Eigen::Index>(point.input)];
+        });
+      parameters_.mask[point.input] = 1;
+      ++(point.type == CriticalType::Minimum ? expected.minima : expected.maxima);
+    }
+    else if (point.persistence < 0.01 * range)
+    {
+      ofNoise = static_cast<Index>(point.input);
+    }
+  }
+  EXPECT_GT(moved, 2u);
+  SmoothedFunction result = smooth();
+  EXPECT_EQ(result.outputCounts.minima, expected.minima);
+  EXPECT_EQ(result.outputCounts.maxima, expected.maxima);
+  EXPECT_TRUE(result.lost.empty());
+
+  parameters_.mask[ofNoise] = 1;
+  EXPECT_EQ(smooth().lost, std::vector<Index>{ ofNoise });
+}
+
+// The larger delta, the fewer extrema of f choose one of the smooth function; for the whole range
+// none does, and the lowest and the highest remain.
+TEST_F(SmoothingWithConstraints, preserveDeltaSimplifiedExtremaOfTheInput)
+{
+  parameters_.method = SmoothingMethod::FeaturePreserving;
+  parameters_.constraints = ConstraintChoice::DeltaSimplified;
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  for (const double delta : { 0.0, 0.05, 0.1, 1.0 })
+  {
+    parameters_.delta = delta;
+    const SmoothedFunction result = smooth();
+    const std::size_t count = result.outputCounts.minima + result.outputCounts.maxima;
+    EXPECT_LE(count, last);
+    last = count;
+    EXPECT_TRUE(result.lost.empty());
+  }
+  EXPECT_EQ(last, 2u);
+}
+
 } // namespace
 } // namespace SurfaceScalars::Truth

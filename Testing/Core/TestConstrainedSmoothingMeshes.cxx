@@ -1,5 +1,6 @@
 #include "ConstrainedSmoothing.h"
 #include "Meshes.h"
+#include "Sampling.h"
 #include "SmoothingQueries.h"
 #include "SmoothingRun.h"
 
@@ -91,6 +92,42 @@ TEST(ConstrainedSmoothing, worksOnABoundary)
     doubledIndex += (isBoundary ? 1 : 2) * indexOf(point);
   }
   EXPECT_EQ(doubledIndex, 2);
+}
+
+// A slope on a square has one minimum and one maximum, and so has the result: what rings at the
+// boundary is no feature.
+TEST(ConstrainedSmoothing, addsNoneToASlope)
+{
+  for (const int count : { 20, 40, 60 })
+  {
+    const TriangleMesh square = gridMesh(Grid::Patch, count, count);
+    const SmoothedFunction result = smoothFunction(smoothingMesh(square), square.points.row(0), {});
+    EXPECT_EQ(result.outputCounts.minima, 1u) << count;
+    EXPECT_EQ(result.outputCounts.saddles, 0u) << count;
+    EXPECT_EQ(result.outputCounts.maxima, 1u) << count;
+  }
+}
+
+// There are never more extrema than before, nor on closed meshes, by Euler's formula, more saddles.
+TEST(ConstrainedSmoothing, addsNone)
+{
+  for (const TriangleMesh& mesh : { gridMesh(Grid::Torus, 60, 30), subdividedSphere(5) })
+  {
+    const SmoothingMesh smoothing = smoothingMesh(mesh);
+    for (const SpaceFunction& function : { waves(), tiltedHeight() })
+    {
+      const Values clean = valuesOf(function, mesh.points);
+      for (const double noise : { 0.0, 1e-6, 0.1 })
+      {
+        Values values = clean;
+        addNoise(values, noise, 1);
+        const SmoothedFunction result = smoothFunction(smoothing, values, {});
+        EXPECT_LE(result.outputCounts.minima, result.inputCounts.minima);
+        EXPECT_LE(result.outputCounts.saddles, result.inputCounts.saddles);
+        EXPECT_LE(result.outputCounts.maxima, result.inputCounts.maxima);
+      }
+    }
+  }
 }
 
 } // namespace
