@@ -103,8 +103,8 @@ struct SmoothedFunction
  *
  * @param values f, one per vertex, finite
  * @throws InvalidInput for other values, thresholds outside [0, 1], epsilon not above 0, a mask of
- * another length or without a marked vertex; for constraints that leave a component without any;
- * Error if a solver fails; Aborted
+ * another length or without a marked vertex; for constraints that leave a component without any, or
+ * are none; Error if a solver fails; Aborted
  */
 SURFACESCALARSCORE_EXPORT SmoothedFunction smoothFunction(const SmoothingMesh& mesh,
   const ValuesRef& values, const SmoothingParameters& parameters, const Execution& execution = {});

@@ -1,5 +1,6 @@
 #include "SmoothingFeatures.h"
 
+#include "Require.h"
 #include "ValueOrder.h"
 
 #include <algorithm>
@@ -357,6 +358,9 @@ std::vector<ValueConstraint> constraintsOf(
   const std::vector<Index> vertices = parameters.constraints == ConstraintChoice::MaskArray
     ? markedVertices(parameters.mask)
     : verticesOf(chosenPoints(data, function, parameters, execution));
+  require(!vertices.empty(), "at least one chosen critical point",
+    "none above Delta or PersistenceThreshold",
+    "Lower Delta or PersistenceThreshold, or choose other Constraints.");
   const MeshTopology& topology = data.mesh.topology();
   std::vector<char> isConstrained(topology.vertexCount(), 0);
   Values values = data.smooth.size() > 0 ? data.smooth : Values(data.input);

@@ -103,6 +103,27 @@ TEST_F(SmoothingInput, masksHaveToFit)
   }
 }
 
+// Thresholds above which nothing is are refused where a vertex has to be constrained.
+TEST_F(SmoothingInput, someCriticalPointHasToBeChosen)
+{
+  for (const SmoothingMethod method :
+    { SmoothingMethod::InterpolatingConstraints, SmoothingMethod::LeastSquaresConstraints })
+  {
+    for (const ConstraintChoice choice :
+      { ConstraintChoice::DeltaSimplified, ConstraintChoice::Persistent })
+    {
+      expectRefused("at least one chosen critical point",
+        [=](Values&, SmoothingParameters& parameters)
+        {
+          parameters.method = method;
+          parameters.constraints = choice;
+          parameters.delta = 1.0;
+          parameters.persistenceThreshold = 1.0;
+        });
+    }
+  }
+}
+
 // Constraints that leave a component without any are refused, its first vertex named;
 // FeaturePreserving keeps the lowest and the highest vertex there.
 TEST_F(SmoothingInput, everyComponentNeedsAConstraint)
