@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace SurfaceScalars::Truth
 {
@@ -92,6 +93,30 @@ TEST(ConstrainedSmoothing, worksOnABoundary)
     doubledIndex += (isBoundary ? 1 : 2) * indexOf(point);
   }
   EXPECT_EQ(doubledIndex, 2);
+}
+
+// Where a minimum would move to a vertex at which a maximum remains, it remains too.
+TEST(ConstrainedSmoothing, movesNoExtremumOntoAnother)
+{
+  const auto smoothNoise = [](int count, unsigned seed, double epsilon)
+  {
+    const TriangleMesh square = gridMesh(Grid::Patch, count, count);
+    Values noise = Values::Zero(square.points.cols());
+    addNoise(noise, 0.3, seed);
+    SmoothingParameters parameters;
+    parameters.epsilonChoice = EpsilonChoice::Manual;
+    parameters.epsilon = epsilon;
+    return smoothFunction(smoothingMesh(square), noise, parameters);
+  };
+  for (const auto& [count, seed, epsilon] :
+    { std::tuple{ 10, 1u, 1e4 }, std::tuple{ 20, 9u, 1e4 }, std::tuple{ 30, 15u, 1e5 } })
+  {
+    const SmoothedFunction result = smoothNoise(count, seed, epsilon);
+    EXPECT_GE(result.outputCounts.minima, 1u);
+    EXPECT_LE(result.outputCounts.minima, result.inputCounts.minima);
+    EXPECT_GE(result.outputCounts.maxima, 1u);
+    EXPECT_LE(result.outputCounts.maxima, result.inputCounts.maxima);
+  }
 }
 
 // A slope on a square has one minimum and one maximum, and so has the result: what rings at the
