@@ -60,12 +60,12 @@ struct SmoothedFunction
  * FeaturePreserving, in four steps:
  * 1. Tikhonov regularization, epsilon by generalized cross-validation unless chosen otherwise.
  * 2. The extrema of the smooth function that `constraints` chooses are to be kept; by default those
- *    whose persistence is at least the threshold. One without a counterpart in f is ringing, and a
- *    difference of 1e-9 of f's range is rounding: no features. MaskArray and DeltaSimplified choose
- *    extrema of f: for each the smooth function's at that vertex is kept, else the lowest, or
- *    highest, that no other takes in the component that it owns (FeatureMatching.h). A mark on
- *    another extremum of the smooth function keeps that too. The lowest and the highest vertex of
- *    each component are always kept.
+ *    whose persistence is at least the threshold. A persistence of at most 1e-9 of f's range, there
+ *    or in f, is rounding, and an extremum without a counterpart in f is ringing: no features.
+ *    MaskArray and DeltaSimplified choose extrema of f: for each the smooth function's at that
+ *    vertex is kept, else the lowest, or highest, that no other takes in the component that it owns
+ *    (FeatureMatching.h). A mark on another extremum of the smooth function keeps that too. The
+ *    lowest and the highest vertex of each component are always kept.
  * 3. Where an extremum is, is a matter of the gradient, in which noise is stronger than in the
  *    values: each moves to the place it has if f is smoothed with 1.5 times the smoothing length,
  *    unless the values there and here differ by more than the noise that is left.
@@ -73,9 +73,10 @@ struct SmoothedFunction
  *    are classified again, and compared with f: see `lost`.
  *
  * What is promised, and what is not:
- * - The result has exactly as many minima and maxima as are kept, near those of the smooth function:
- *   not at those of f, where noise has moved them. One that is not at its vertex when the values
- *   are classified again would be in `lost`. They are not more than f has, unless marks add some.
+ * - The result has exactly as many minima and maxima as are kept, near those of the smooth
+ * function: not at those of f, where noise has moved them. One that is not at its vertex when the
+ * values are classified again would be in `lost`. They are not more than f has, unless marks add
+ * some.
  * - On a closed mesh there are as many saddles, counted with multiplicity, as Euler's formula asks
  *   for; the two of each handle always remain. Where they lie is not promised.
  * - The result differs from Tikhonov's only around extrema that were removed or moved, by about

@@ -240,18 +240,27 @@ void undoClashes(const MeshTopology& mesh, ExtremalVertices& moved, const Extrem
   }
 }
 
+/// The extrema among the points whose persistence is more than rounding.
+ExtremalVertices extremaBeyondRounding(std::vector<CriticalPoint> points, double range)
+{
+  removeIf(
+    points, [&](const CriticalPoint& point) { return point.persistence <= Rounding * range; });
+  return extremaOf(points);
+}
+
 /// The chosen extrema of the smooth function that have a counterpart in the input.
 ExtremalVertices chosenExtrema(
   const SmoothingData& data, const SmoothingParameters& parameters, const Execution& execution)
 {
-  const MeshTopology& topology = data.mesh.topology();
-  std::vector<CriticalPoint> points =
-    chosenPoints(data, data.smooth, parameters, execution.part(0.0, 0.5));
-  removeIf(
-    points, [&](const CriticalPoint& point) { return point.persistence <= Rounding * data.range; });
-  const ExtremalVertices ofInput = extremaOf(topology, data.input, execution.part(0.5, 0.6));
-  return common(extremaOf(points),
-    extremaWithCounterpart(topology, data.smooth, ofInput, execution.part(0.6, 1.0)));
+  const SmoothingMesh& mesh = data.mesh;
+  const ExtremalVertices chosen = extremaBeyondRounding(
+    chosenPoints(data, data.smooth, parameters, execution.part(0.0, 0.4)), data.range);
+  const ExtremalVertices ofInput = extremaBeyondRounding(
+    meshCriticalPoints(mesh.vertices(), mesh.topology(), data.input, execution.part(0.4, 0.8))
+      .points,
+    data.range);
+  return common(chosen,
+    extremaWithCounterpart(mesh.topology(), data.smooth, ofInput, execution.part(0.8, 1.0)));
 }
 
 /// Takes those that are asked for out of the vertices.
