@@ -91,14 +91,15 @@ void addComponentExtrema(
   ExtremalVertices& extrema, const MeshTopology& topology, const Values& function)
 {
   constexpr Index None = std::numeric_limits<Index>::max();
+  const ValueOrder isBelow{ function.data() };
   std::vector<Index> lowest(topology.componentCount(), None);
   std::vector<Index> highest(topology.componentCount(), None);
   for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
   {
     Index& low = lowest[topology.component(vertex)];
     Index& high = highest[topology.component(vertex)];
-    low = low == None || function[vertex] < function[low] ? vertex : low;
-    high = high == None || function[vertex] >= function[high] ? vertex : high;
+    low = low == None || isBelow(vertex, low) ? vertex : low;
+    high = high == None || isBelow(high, vertex) ? vertex : high;
   }
   const auto add = [](std::vector<Index>& to, const std::vector<Index>& some)
   {
@@ -268,7 +269,7 @@ std::vector<Index> takeAsked(std::vector<Index>& vertices, std::vector<char>& as
 {
   const auto end = std::stable_partition(
     vertices.begin(), vertices.end(), [&](Index vertex) { return asked[vertex] != 0; });
-  const std::vector<Index> result(vertices.begin(), end);
+  std::vector<Index> result(vertices.begin(), end);
   vertices.erase(vertices.begin(), end);
   for (const Index vertex : result)
   {
