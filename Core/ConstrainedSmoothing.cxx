@@ -1,6 +1,7 @@
 #include "ConstrainedSmoothing.h"
 
 #include "ConstrainedFunction.h"
+#include "ExtremumPlacing.h"
 #include "NumberText.h"
 #include "Quantile.h"
 #include "Require.h"
@@ -131,7 +132,7 @@ ExtremalVertices placedFeatures(const SmoothingData& data, const SmoothingParame
   // The integral of the squared gain over all frequencies: a sixteenth of the vertices per length.
   const double perLength = std::sqrt(smoother.area() / topology.vertexCount()) / length;
   const double left = noiseOf(topology, data.input) * std::min(1.0, perLength / 4.0);
-  return placed(data, kept, further, PlacingNoise * left);
+  return placed(topology, data.smooth, kept, further, PlacingNoise * left);
 }
 
 /// What is left of f, and which extrema it is promised to have.

@@ -4,10 +4,8 @@
 #include "ValueOrder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace SurfaceScalars
@@ -135,112 +133,6 @@ std::vector<Index> verticesOf(const std::vector<CriticalPoint>& points)
   return result;
 }
 
-/// The first vertex of steps to the first neighbor.
-template <class Order>
-Index endOfSteps(const MeshTopology& mesh, Index vertex, const Order& isBefore)
-{
-  for (Index last = vertex;; last = vertex)
-  {
-    for (const Index neighbor : mesh.link(last))
-    {
-      vertex = isBefore(neighbor, vertex) ? neighbor : vertex;
-    }
-    if (vertex == last)
-    {
-      return vertex;
-    }
-  }
-}
-
-/// The ends of their steps, but for those that share one and those that would not be near.
-template <class Order, class Nearness>
-std::vector<Index> movedAlong(const MeshTopology& mesh, const std::vector<Index>& vertices,
-  const Order& isBefore, const Nearness& isNear)
-{
-  std::vector<Index> result;
-  std::map<Index, int> arrivals;
-  for (const Index vertex : vertices)
-  {
-    result.push_back(endOfSteps(mesh, vertex, isBefore));
-    ++arrivals[result.back()];
-  }
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    result[i] =
-      arrivals[result[i]] == 1 && isNear(vertices[i], result[i]) ? result[i] : vertices[i];
-  }
-  return result;
-}
-
-/// How many of the extrema are at each vertex.
-class Occupation
-{
-public:
-  Occupation(const MeshTopology& mesh, const ExtremalVertices& extrema)
-    : mesh_(mesh)
-    , minima_(mesh.vertexCount(), 0)
-    , maxima_(mesh.vertexCount(), 0)
-  {
-    count(extrema.minima, this->minima_);
-    count(extrema.maxima, this->maxima_);
-  }
-
-  /// Takes minima back to where they were that share their vertex or have a minimum next to them.
-  bool undoMinima(std::vector<Index>& moved, const std::vector<Index>& before)
-  {
-    return this->undo(moved, before, this->minima_, this->maxima_);
-  }
-
-  bool undoMaxima(std::vector<Index>& moved, const std::vector<Index>& before)
-  {
-    return this->undo(moved, before, this->maxima_, this->minima_);
-  }
-
-private:
-  static void count(const std::vector<Index>& vertices, std::vector<int>& counts)
-  {
-    for (const Index vertex : vertices)
-    {
-      ++counts[vertex];
-    }
-  }
-
-  bool undo(std::vector<Index>& moved, const std::vector<Index>& before, std::vector<int>& same,
-    const std::vector<int>& others) const
-  {
-    bool isUndone = false;
-    for (std::size_t i = 0; i < moved.size(); ++i)
-    {
-      const VertexRange link = this->mesh_.link(moved[i]);
-      const bool isAlone = same[moved[i]] == 1 && others[moved[i]] == 0 &&
-        std::none_of(link.begin(), link.end(), [&](Index neighbor) { return same[neighbor] != 0; });
-      if (moved[i] != before[i] && !isAlone)
-      {
-        --same[moved[i]];
-        moved[i] = before[i];
-        ++same[moved[i]];
-        isUndone = true;
-      }
-    }
-    return isUndone;
-  }
-
-  const MeshTopology& mesh_;
-  std::vector<int> minima_;
-  std::vector<int> maxima_;
-};
-
-/// Undoes moves until keepExtrema() can keep all: as it could before any move.
-void undoClashes(const MeshTopology& mesh, ExtremalVertices& moved, const ExtremalVertices& before)
-{
-  Occupation occupation(mesh, moved);
-  for (bool isUndone = true; isUndone;)
-  {
-    isUndone = occupation.undoMinima(moved.minima, before.minima);
-    isUndone = occupation.undoMaxima(moved.maxima, before.maxima) || isUndone;
-  }
-}
-
 /// The extrema among the points whose persistence is more than rounding.
 ExtremalVertices extremaBeyondRounding(std::vector<CriticalPoint> points, double range)
 {
@@ -341,22 +233,6 @@ ExtremalVertices extremaToKeep(
     data.asked.empty() ? chosenExtrema(data, parameters, execution) : askedExtrema(data, execution);
   addComponentExtrema(result, data.mesh.topology(), data.smooth);
   return result;
-}
-
-ExtremalVertices placed(const SmoothingData& data, const ExtremalVertices& extrema,
-  const Values& further, double tolerance)
-{
-  const MeshTopology& topology = data.mesh.topology();
-  const ValueOrder isBelow{ further.data() };
-  const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
-  const auto isNear = [&](Index a, Index b)
-  { return std::abs(data.smooth[a] - data.smooth[b]) <= tolerance; };
-  ExtremalVertices moved{ movedAlong(topology, extrema.minima, isBelow, isNear),
-    movedAlong(topology, extrema.maxima, isAbove, isNear) };
-  undoClashes(topology, moved, extrema);
-  std::sort(moved.minima.begin(), moved.minima.end());
-  std::sort(moved.maxima.begin(), moved.maxima.end());
-  return moved;
 }
 
 std::vector<ValueConstraint> constraintsOf(
