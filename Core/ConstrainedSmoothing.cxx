@@ -163,19 +163,6 @@ Values smoothed(SmoothingData& data, const SmoothingParameters& parameters, doub
     "Choose one of these.");
 }
 
-CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
-{
-  CriticalCounts counts;
-  for (const CriticalPoint& point : points)
-  {
-    Index& count = point.type == CriticalType::Minimum ? counts.minima
-      : point.type == CriticalType::Maximum            ? counts.maxima
-                                                       : counts.saddles;
-    count += static_cast<Index>(point.multiplicity);
-  }
-  return counts;
-}
-
 /// The persistence above which extrema of f are missed if they have no counterpart: all that are
 /// marked; of others those that noise does not explain.
 double missedPersistence(const SmoothingData& data, const SmoothingParameters& parameters)

@@ -112,6 +112,26 @@ private:
 
 } // namespace
 
+CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
+{
+  CriticalCounts counts;
+  for (const CriticalPoint& point : points)
+  {
+    Index& count = point.type == CriticalType::Minimum ? counts.minima
+      : point.type == CriticalType::Maximum            ? counts.maxima
+                                                       : counts.saddles;
+    count += static_cast<Index>(point.multiplicity);
+  }
+  return counts;
+}
+
+void removeUpToDelta(std::vector<CriticalPoint>& points, const ValuesRef& deltas, double delta)
+{
+  const auto isSmall = [&](const CriticalPoint& point)
+  { return delta > 0.0 && deltas[static_cast<Eigen::Index>(point.input)] <= delta; };
+  points.erase(std::remove_if(points.begin(), points.end(), isSmall), points.end());
+}
+
 PersistencePairs persistencePairs(
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
 {

@@ -84,4 +84,12 @@ struct MeshCriticalPoints
 SURFACESCALARSCORE_EXPORT MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices,
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution = {});
 
+/// @param points minima, saddles and maxima
+SURFACESCALARSCORE_EXPORT CriticalCounts countsOf(const std::vector<CriticalPoint>& points);
+
+/// Keeps C_delta (smoothing paper, sec. 3).
+/// @param deltas of all vertices, see deltaThresholds() @param delta f's unit; 0 keeps all
+SURFACESCALARSCORE_EXPORT void removeUpToDelta(
+  std::vector<CriticalPoint>& points, const ValuesRef& deltas, double delta);
+
 } // namespace SurfaceScalars

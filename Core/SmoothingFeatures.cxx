@@ -37,10 +37,7 @@ std::vector<CriticalPoint> chosenPoints(const SmoothingData& data, const ValuesR
       const VertexTypes types = classifyVertices(topology, function, execution.part(0.8, 0.9));
       const Values thresholds =
         deltaThresholds(topology, function, types, execution.part(0.9, 1.0));
-      const double delta = parameters.delta * data.range;
-      removeIf(points,
-        [&](const CriticalPoint& point)
-        { return delta > 0.0 && thresholds[static_cast<Eigen::Index>(point.input)] <= delta; });
+      removeUpToDelta(points, thresholds, parameters.delta * data.range);
       break;
     }
     case ConstraintChoice::Persistent:

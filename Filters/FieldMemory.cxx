@@ -1,5 +1,7 @@
 #include "FieldMemory.h"
 
+#include "EqualNumbers.h"
+
 #include <tuple>
 #include <utility>
 
@@ -12,13 +14,6 @@ auto tied(const FieldParameters& p)
 {
   return std::tie(p.scheme, p.kernel, p.kernelWidth, p.neighborCount, p.searchRadius,
     p.polynomialDegree, p.regularization, p.hybridThreshold);
-}
-
-/// Eigen's == wants equal sizes.
-template <typename Numbers>
-bool equal(const Numbers& a, const Numbers& b)
-{
-  return a.cols() == b.cols() && a.rows() == b.rows() && a == b;
 }
 
 } // namespace

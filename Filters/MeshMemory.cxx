@@ -1,18 +1,9 @@
 #include "MeshMemory.h"
 
+#include "EqualNumbers.h"
+
 namespace SurfaceScalars
 {
-namespace
-{
-
-/// Eigen's == wants equal sizes.
-template <typename Matrix>
-bool equal(const Matrix& a, const Matrix& b)
-{
-  return a.cols() == b.cols() && a == b;
-}
-
-} // namespace
 
 bool MeshMemory::has(const MeshedSurface& surface) const
 {

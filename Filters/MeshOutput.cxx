@@ -86,18 +86,10 @@ vtkSmartPointer<vtkIntArray> makeEulerCharacteristic(const MeshTopology& topolog
 void writeSummary(const FilterRun& run, const std::vector<CriticalPoint>& points,
   const MeshTopology& topology, vtkInformationVector* outputs)
 {
-  CriticalCounts counts;
-  for (const CriticalPoint& point : points)
-  {
-    counts.minima += point.type == CriticalType::Minimum;
-    counts.maxima += point.type == CriticalType::Maximum;
-    counts.saddles +=
-      point.type == CriticalType::Saddle ? static_cast<Index>(point.multiplicity) : 0;
-  }
   vtkFieldData* first = vtkPolyData::GetData(outputs, 0)->GetFieldData();
   vtkFieldData* second = vtkPolyData::GetData(outputs, 1)->GetFieldData();
   for (const auto& array :
-    { makeCounts("CriticalCounts", counts), makeEulerCharacteristic(topology) })
+    { makeCounts("CriticalCounts", countsOf(points)), makeEulerCharacteristic(topology) })
   {
     addFieldData(run, array, first);
     second->AddArray(array);

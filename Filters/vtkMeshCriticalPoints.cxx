@@ -46,14 +46,6 @@ std::vector<double> curveThresholds()
   return thresholds;
 }
 
-/// Keeps C_delta. @param delta f's unit; 0 keeps all
-void removeUpToDelta(std::vector<CriticalPoint>& points, const Values& deltas, double delta)
-{
-  const auto isSmall = [&](const CriticalPoint& point)
-  { return delta > 0.0 && deltas(static_cast<Eigen::Index>(point.input)) <= delta; };
-  points.erase(std::remove_if(points.begin(), points.end(), isSmall), points.end());
-}
-
 /// All critical points, how they vanish, and what is to be shown of them.
 struct Found
 {

@@ -88,19 +88,6 @@ SpaceFunction waves()
     } };
 }
 
-CriticalCounts countsOf(const std::vector<CriticalPoint>& points)
-{
-  CriticalCounts counts;
-  for (const CriticalPoint& point : points)
-  {
-    Index& count = point.type == CriticalType::Minimum ? counts.minima
-      : point.type == CriticalType::Maximum            ? counts.maxima
-                                                       : counts.saddles;
-    count += static_cast<Index>(point.multiplicity);
-  }
-  return counts;
-}
-
 SmoothingCase::SmoothingCase(
   std::string caseName, TriangleMesh onMesh, const SpaceFunction& function, double leastPersistence)
   : name(std::move(caseName))

@@ -46,8 +46,6 @@ struct SmoothingScore
 
 SmoothingScore scoreOf(const SmoothingCase& smoothingCase, const ValuesRef& values);
 
-CriticalCounts countsOf(const std::vector<CriticalPoint>& points);
-
 /// Each vertex becomes the mean of itself and its neighbors, over and over: what comes nearest to
 /// the clean function in the mean square, which only a truth run knows.
 struct Averaged

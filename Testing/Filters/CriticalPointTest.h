@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CriticalPointReading.h"
 #include "FilterTest.h"
 
 #include "vtkFuzzyCriticalPoints.h"
@@ -30,29 +31,6 @@ inline double tiltedHeight(const Vector3d& p)
 inline vtkSmartPointer<vtkPolyData> tiltedTorus(int count = 10000)
 {
   return makeCloud(Truth::randomTorus(count, Truth::Torus::Closed, 1), tiltedHeight);
-}
-
-/// The second output, read back; `input` is PointId.
-inline std::vector<CriticalPoint> criticalPointsOf(vtkFuzzyCriticalPoints* filter)
-{
-  std::vector<CriticalPoint> points;
-  vtkPolyData* output = filter->GetOutput(1);
-  const auto number = [&](const char* name, vtkIdType i)
-  { return output->GetPointData()->GetArray(name)->GetTuple1(i); };
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    CriticalPoint point;
-    point.position = Vector3d(output->GetPoint(i));
-    point.type = static_cast<CriticalType>(static_cast<int>(number("CriticalType", i)));
-    point.multiplicity = static_cast<int>(number("Multiplicity", i));
-    point.value = number("ScalarValue", i);
-    point.input = static_cast<std::size_t>(number("PointId", i));
-    point.persistence = number("Persistence", i);
-    point.probability = number("CriticalProbability", i);
-    point.residual = number("Residual", i);
-    points.push_back(point);
-  }
-  return points;
 }
 
 /// The types of the critical points, by ascending value.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CriticalPointReading.h"
 #include "FilterTest.h"
 
 #include "CriticalPoint.h"
@@ -150,27 +151,6 @@ inline std::vector<double> numbersOf(vtkDataArray* array)
 inline std::vector<double> fieldData(vtkPolyDataAlgorithm* filter, const char* name, int port = 0)
 {
   return numbersOf(filter->GetOutput(port)->GetFieldData()->GetArray(name));
-}
-
-/// The critical points of a port, read back; `input` is PointId.
-inline std::vector<CriticalPoint> criticalPointsOf(vtkPolyDataAlgorithm* filter, int port = 1)
-{
-  std::vector<CriticalPoint> points;
-  vtkPolyData* output = filter->GetOutput(port);
-  const auto number = [&](const char* name, vtkIdType i)
-  { return output->GetPointData()->GetArray(name)->GetTuple1(i); };
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    CriticalPoint point;
-    point.position = Vector3d(output->GetPoint(i));
-    point.type = static_cast<CriticalType>(static_cast<int>(number("CriticalType", i)));
-    point.multiplicity = static_cast<int>(number("Multiplicity", i));
-    point.value = number("ScalarValue", i);
-    point.input = static_cast<std::size_t>(number("PointId", i));
-    point.persistence = number("Persistence", i);
-    points.push_back(point);
-  }
-  return points;
 }
 
 } // namespace SurfaceScalars::FilterTest
