@@ -1,0 +1,92 @@
+#pragma once
+
+#include "DesignMesh.h"
+#include "MeshCriticalPoints.h"
+#include "NearestVertices.h"
+#include "ParameterCurve.h"
+#include "RadialKernel.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// The numbers are fixed.
+enum class DesignApproach
+{
+  MeshBased = 0, ///< least energy on the mesh (design paper, sec. 3.2)
+  Meshless = 1   ///< a sum of radial functions, taken at the vertices (sec. 3.3)
+};
+
+/// The numbers are fixed.
+enum class DesignConstraints
+{
+  Interpolating = 0, ///< (2): the values are met
+  LeastSquares = 1   ///< (3): the values are approached
+};
+
+/// A critical point that is asked for.
+struct CriticalRequest
+{
+  Index vertex = 0;
+  CriticalType type = CriticalType::Maximum; ///< Minimum, Saddle or Maximum
+  int multiplicity = 1;                      ///< m of a saddle
+  std::optional<double> value;               ///< none: chosen
+  std::vector<double> star; ///< values of the link, in its order, with `value`; empty: chosen
+};
+
+struct DesignParameters
+{
+  DesignApproach approach = DesignApproach::MeshBased;
+  DesignConstraints constraints = DesignConstraints::Interpolating;
+  SmoothingEnergy energy = SmoothingEnergy::Biharmonic; ///< MeshBased
+  DataMetric metric = DataMetric::Identity;             ///< MeshBased
+  KernelType kernel = KernelType::Cubic;                ///< Meshless; Harmonic: centers are offset
+  double kernelWidth = 0.0;                             ///< Meshless; length, 0 = automatic
+  EpsilonChoice epsilonChoice = EpsilonChoice::LCurve;  ///< LeastSquares; not GCV
+  double epsilon = 1e5;                                 ///< LeastSquares, if chosen by hand
+  bool cleanUp = false; ///< removes critical points that nothing requires
+};
+
+struct DesignedFunction
+{
+  Values values;                 ///< one per vertex
+  MeshCriticalPoints critical;   ///< of values, ties by index
+  CriticalCounts counts;         ///< of these
+  std::vector<char> prescribed;  ///< by critical point: asked for, with this type and multiplicity
+  std::vector<std::size_t> missing; ///< requests that are not critical so in values, ascending
+  double epsilon = 0.0;          ///< 0 where none was needed
+  ParameterCurve curve;          ///< LeastSquares; empty if epsilon was chosen by hand
+};
+
+/// What a request is called in messages: "critical point 3" for the fourth unless named otherwise.
+using RequestName = PlaceName;
+
+/// Neighbors that a critical point needs to be what is asked for: 2 + 2 m changes of sign around an
+/// interior vertex, m + 1 along the link of one on the boundary (see classifyVertices()); 1 for extrema.
+SURFACESCALARSCORE_EXPORT Index neededLinkSize(
+  const MeshTopology& mesh, const CriticalRequest& request);
+
+/**
+ * The critical points of a template function with its values there and around them (design paper,
+ * sec. 3.4): of a Laplacian eigenfunction, say.
+ *
+ * @param persistenceThreshold fraction of the function's range, 0 to 1
+ * @throws InvalidInput for values that are not finite; Aborted
+ */
+SURFACESCALARSCORE_EXPORT std::vector<CriticalRequest> requestsOf(const PointsRef& vertices,
+  const MeshTopology& mesh, const ValuesRef& templateValues, double persistenceThreshold,
+  const Execution& execution = {});
+
+/**
+ * A smooth function with chosen critical points (design paper, sec. 3).
+ *
+ * TO BE WRITTEN
+ */
+SURFACESCALARSCORE_EXPORT DesignedFunction designFunction(const DesignMesh& mesh,
+  const std::vector<CriticalRequest>& requests, const DesignParameters& parameters,
+  const Execution& execution = {}, const RequestName& nameOf = {});
+
+} // namespace SurfaceScalars
