@@ -19,6 +19,29 @@ enum class CriticalType : signed char
   Regular = 5
 };
 
+/// For messages.
+constexpr const char* nameOf(CriticalType type)
+{
+  switch (type)
+  {
+    case CriticalType::Minimum:
+      return "minimum";
+    case CriticalType::Saddle:
+      return "saddle";
+    case CriticalType::TwoSaddle:
+      return "2-saddle";
+    case CriticalType::Maximum:
+      return "maximum";
+    case CriticalType::Uncertain:
+      return "uncertain point";
+    case CriticalType::Regular:
+      return "regular point";
+    case CriticalType::Excluded:
+      break;
+  }
+  return "excluded point";
+}
+
 /// A critical point of a function on a surface, sampled or meshed.
 struct CriticalPoint
 {

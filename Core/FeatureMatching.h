@@ -1,18 +1,11 @@
 #pragma once
 
-#include "MeshTopology.h"
+#include "ExtremalVertices.h"
 
 #include <vector>
 
 namespace SurfaceScalars
 {
-
-/// Vertices at which a function has extrema.
-struct ExtremalVertices
-{
-  std::vector<Index> minima;
-  std::vector<Index> maxima;
-};
 
 /**
  * The persistent extrema of a function for which another function has none.

@@ -52,20 +52,18 @@ struct DesignParameters
 
 struct DesignedFunction
 {
-  Values values;                 ///< one per vertex
-  MeshCriticalPoints critical;   ///< of values, ties by index
-  CriticalCounts counts;         ///< of these
-  std::vector<char> prescribed;  ///< by critical point: asked for, with this type and multiplicity
+  Values values;                ///< one per vertex
+  MeshCriticalPoints critical;  ///< of values, ties by index
+  CriticalCounts counts;        ///< of these
+  std::vector<char> prescribed; ///< by critical point: asked for, with this type and multiplicity
   std::vector<std::size_t> missing; ///< requests that are not critical so in values, ascending
-  double epsilon = 0.0;          ///< 0 where none was needed
-  ParameterCurve curve;          ///< LeastSquares; empty if epsilon was chosen by hand
+  double epsilon = 0.0;             ///< 0 where none was needed
+  ParameterCurve curve;             ///< LeastSquares; empty if epsilon was chosen by hand
 };
 
-/// What a request is called in messages: "critical point 3" for the fourth unless named otherwise.
-using RequestName = PlaceName;
-
 /// Neighbors that a critical point needs to be what is asked for: 2 + 2 m changes of sign around an
-/// interior vertex, m + 1 along the link of one on the boundary (see classifyVertices()); 1 for extrema.
+/// interior vertex, m + 1 along the link of one on the boundary (see classifyVertices()); 1 for
+/// extrema.
 SURFACESCALARSCORE_EXPORT Index neededLinkSize(
   const MeshTopology& mesh, const CriticalRequest& request);
 
@@ -87,6 +85,6 @@ SURFACESCALARSCORE_EXPORT std::vector<CriticalRequest> requestsOf(const PointsRe
  */
 SURFACESCALARSCORE_EXPORT DesignedFunction designFunction(const DesignMesh& mesh,
   const std::vector<CriticalRequest>& requests, const DesignParameters& parameters,
-  const Execution& execution = {}, const RequestName& nameOf = {});
+  const Execution& execution = {}, const PlaceName& nameOf = {});
 
 } // namespace SurfaceScalars

@@ -1,5 +1,6 @@
 #include "ParameterCurve.h"
 
+#include "LCurve.h"
 #include "Require.h"
 
 #include <algorithm>
@@ -117,17 +118,6 @@ double CurveBuilder::shareLeft(double logEpsilon, const Execution& execution)
   return this->shares_[logEpsilon] = sum / static_cast<double>(this->probes_.size());
 }
 
-/// With R = ||f - x||^2, E the energy and u = log t, dE / du = -t dR / du where x is best, and so
-/// with a = (dR / du) / R and q = t R / E the curvature of (log R / 2, log E / 2) is as below.
-double curvature(double residual, double energy, double change, double weight)
-{
-  const double a = change / residual;
-  const double q = weight * residual / energy;
-  const double result =
-    2.0 * q * (1.0 + a * (1.0 + q)) / (std::abs(a) * std::pow(1.0 + q * q, 1.5));
-  return std::isfinite(result) ? result : 0.0;
-}
-
 void CurveBuilder::add(double logEpsilon)
 {
   const double epsilon = std::pow(10.0, logEpsilon);
@@ -146,7 +136,7 @@ void CurveBuilder::add(double logEpsilon)
   entry.seminorm = std::sqrt(this->smoother_.energy(smoothed));
   const double meanSquare = rest.squaredNorm() / static_cast<double>(rest.size());
   entry.gcv = meanSquare > 0.0 ? meanSquare / (share * share) : 0.0;
-  entry.curvature = curvature(std::pow(entry.residual, 2), std::pow(entry.seminorm, 2),
+  entry.curvature = lCurveCurvature(std::pow(entry.residual, 2), std::pow(entry.seminorm, 2),
     -2.0 * this->smoother_.product(rest, change), this->smoother_.weight(epsilon));
   this->entries_.emplace(logEpsilon, entry);
 }

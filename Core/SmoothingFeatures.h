@@ -20,8 +20,6 @@ struct SmoothingData
   std::vector<char> asked;   ///< extrema of the input to keep, by vertex; empty: of the smooth one
 };
 
-ExtremalVertices extremaOf(const std::vector<CriticalPoint>& points);
-
 /// Where the extrema of the input are that MaskArray and DeltaSimplified choose, as
 /// SmoothingData::asked; empty for others, which choose extrema of the smooth function.
 std::vector<char> askedOfInput(

@@ -135,6 +135,11 @@ Values SparseCholesky::solve(const ValuesRef& rightSide) const
   return this->factors_->decomposition.solve(rightSide);
 }
 
+Eigen::MatrixXd SparseCholesky::solveColumns(const Eigen::MatrixXd& rightSides) const
+{
+  return this->factors_->decomposition.solve(rightSides);
+}
+
 RoundedFactor SparseCholesky::rounded() const
 {
   return this->factors_->decomposition.rounded();

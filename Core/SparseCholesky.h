@@ -36,6 +36,7 @@ public:
     const std::shared_ptr<const Eigen::SparseMatrix<double>>& matrix, const Execution& execution);
 
   Values solve(const ValuesRef& rightSide) const;
+  Eigen::MatrixXd solveColumns(const Eigen::MatrixXd& rightSides) const;
   RoundedFactor rounded() const;
 
 private:

@@ -18,7 +18,7 @@ struct EdgeVertex
 /// A mesh some of whose triangles are split.
 struct RefinedMesh
 {
-  Points vertices;               ///< those of the mesh, then the added ones
+  Points vertices; ///< those of the mesh, then the added ones
   Triangles triangles;
   std::vector<Index> origins;    ///< of which triangle of the mesh each one is a part
   std::vector<char> isSplit;     ///< by triangle: whether it is only a part
@@ -39,7 +39,7 @@ struct NeededLink
  *
  * @throws InvalidInput for links that would need parts smaller than a quarter
  */
-SURFACESCALARSCORE_EXPORT RefinedMesh refineStars(const PointsRef& vertices,
-  const MeshTopology& mesh, const std::vector<NeededLink>& needed);
+SURFACESCALARSCORE_EXPORT RefinedMesh refineStars(
+  const PointsRef& vertices, const MeshTopology& mesh, const std::vector<NeededLink>& needed);
 
 } // namespace SurfaceScalars

@@ -1,0 +1,168 @@
+#include "RadialDesign.h"
+
+#include "LinearTerms.h"
+#include "RadialRefusal.h"
+#include "RidgeSystem.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <limits>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr double OffsetInEdges = 2.0; // of the centers of 1 / r
+constexpr std::size_t Grain = 256;    // vertices per block of a parallel loop
+constexpr double LeastRidge = 1e-12;  // regularization with which a width is chosen
+
+Points placesOf(const Points& vertices, const std::vector<ValueConstraint>& constraints)
+{
+  Points result(3, constraints.size());
+  for (std::size_t i = 0; i < constraints.size(); ++i)
+  {
+    result.col(static_cast<Eigen::Index>(i)) = vertices.col(constraints[i].vertex);
+  }
+  return result;
+}
+
+Values valuesOf(const std::vector<ValueConstraint>& constraints)
+{
+  Values result(constraints.size());
+  for (std::size_t i = 0; i < constraints.size(); ++i)
+  {
+    result[static_cast<Eigen::Index>(i)] = constraints[i].value;
+  }
+  return result;
+}
+
+/// Where the triangles' corners run counterclockwise; weighted by area.
+Points vertexNormals(const DesignMesh& mesh)
+{
+  const Points& vertices = mesh.vertices();
+  Points result = Points::Zero(3, vertices.cols());
+  for (const auto corners : mesh.topology().triangles().colwise())
+  {
+    const Vector3d first = vertices.col(corners[0]);
+    const Vector3d normal =
+      (vertices.col(corners[1]) - first).cross(vertices.col(corners[2]) - first);
+    for (const Index corner : corners)
+    {
+      result.col(corner) += normal;
+    }
+  }
+  result.colwise().normalize();
+  return result;
+}
+
+Points offsetCenters(const DesignMesh& mesh, const std::vector<ValueConstraint>& constraints)
+{
+  const Points& vertices = mesh.vertices();
+  const Points normals = vertexNormals(mesh);
+  Points result = placesOf(vertices, constraints);
+  for (std::size_t i = 0; i < constraints.size(); ++i)
+  {
+    const Index vertex = constraints[i].vertex;
+    const VertexRange link = mesh.topology().link(vertex);
+    double length = 0.0;
+    for (const Index neighbor : link)
+    {
+      length += (vertices.col(neighbor) - vertices.col(vertex)).norm() / link.size();
+    }
+    result.col(static_cast<Eigen::Index>(i)) += OffsetInEdges * length * normals.col(vertex);
+  }
+  return result;
+}
+
+/// sum a_j / |p - c_j| with this sum at the constraints.
+Values harmonicThrough(const DesignMesh& mesh, const std::vector<ValueConstraint>& constraints,
+  const Execution& execution)
+{
+  const Points centers = offsetCenters(mesh, constraints);
+  const auto rowAt = [&](const Vector3d& place) -> Eigen::RowVectorXd
+  { return (centers.colwise() - place).colwise().norm().cwiseInverse(); };
+  const Points places = placesOf(mesh.vertices(), constraints);
+  Eigen::MatrixXd matrix(centers.cols(), centers.cols());
+  for (Eigen::Index i = 0; i < places.cols(); ++i)
+  {
+    matrix.row(i) = rowAt(places.col(i));
+  }
+  const Eigen::PartialPivLU<Eigen::MatrixXd> factors(matrix);
+  const Values coefficients = factors.solve(valuesOf(constraints));
+  const double precision =
+    static_cast<double>(centers.cols()) * std::numeric_limits<double>::epsilon();
+  if (!matrix.allFinite() || !(factors.rcond() > precision) || !coefficients.allFinite())
+  {
+    refuseSystem("a singular one", { KernelType::Harmonic, 1.0 }, 1.0 / factors.rcond());
+  }
+  Values result(mesh.vertices().cols());
+  parallelFor(static_cast<std::size_t>(result.size()), Grain, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (auto i = static_cast<Eigen::Index>(begin); i < static_cast<Eigen::Index>(end); ++i)
+      {
+        result[i] = rowAt(mesh.vertices().col(i)).dot(coefficients);
+      }
+    });
+  return result;
+}
+
+} // namespace
+
+Field RadialDesign::field(const std::vector<ValueConstraint>& constraints, double regularization,
+  const Execution& execution) const
+{
+  FieldParameters parameters;
+  parameters.scheme = Scheme::GlobalRBF;
+  parameters.kernel = this->kernel_;
+  parameters.kernelWidth = this->kernelWidth_;
+  parameters.regularization = regularization;
+  return Field::fit(
+    placesOf(this->mesh_.vertices(), constraints), valuesOf(constraints), parameters, execution);
+}
+
+Values RadialDesign::through(
+  const std::vector<ValueConstraint>& constraints, const Execution& execution) const
+{
+  Values result = this->kernel_ == KernelType::Harmonic
+    ? harmonicThrough(this->mesh_, constraints, execution)
+    : this->evaluated(constraints, 0.0, execution);
+  for (const auto& [vertex, value] : constraints)
+  {
+    result[vertex] = value;
+  }
+  return result;
+}
+
+Values RadialDesign::near(
+  const std::vector<ValueConstraint>& constraints, double epsilon, const Execution& execution) const
+{
+  return this->evaluated(constraints, 1.0 / epsilon, execution);
+}
+
+Values RadialDesign::evaluated(const std::vector<ValueConstraint>& constraints,
+  double regularization, const Execution& execution) const
+{
+  const Field field = this->field(constraints, regularization, execution.part(0.0, 0.5));
+  return field.evaluate(this->mesh_.vertices(), {}, execution.part(0.5, 1.0)).values;
+}
+
+ParameterCurve RadialDesign::curve(
+  const std::vector<ValueConstraint>& constraints, const Execution& execution) const
+{
+  const double width =
+    this->field(constraints, LeastRidge, execution).model().parameters.kernelWidth;
+  const RadialKernel kernel(this->kernel_, width);
+  const Points centers = placesOf(this->mesh_.vertices(), constraints);
+  const Eigen::Index count = centers.cols();
+  const Eigen::MatrixXd energies = Eigen::MatrixXd::NullaryExpr(count, count,
+    [&](Eigen::Index i, Eigen::Index j)
+    { return kernel.sign() * kernel.value((centers.col(i) - centers.col(j)).norm()); });
+  const RidgeSystem system(energies, LinearTerms(centers).at(centers),
+    Eigen::MatrixXd::Identity(count, count), valuesOf(constraints));
+  return system.curve(1.0);
+}
+
+} // namespace SurfaceScalars
