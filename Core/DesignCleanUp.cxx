@@ -1,5 +1,6 @@
 #include "DesignCleanUp.h"
 
+#include "DesignValues.h"
 #include "ExtremalVertices.h"
 #include "TopologicalSimplification.h"
 
@@ -44,19 +45,6 @@ ExtremalVertices neededExtrema(const DesignMesh& mesh, const Values& values,
 }
 
 } // namespace
-
-std::vector<char> areMet(const VertexTypes& types, const std::vector<CriticalRequest>& requests)
-{
-  std::vector<char> result;
-  for (const CriticalRequest& request : requests)
-  {
-    const bool isSame = types.types[request.vertex] == request.type;
-    const auto multiplicity = static_cast<int>(types.multiplicities[request.vertex]);
-    result.push_back(
-      isSame && (request.type != CriticalType::Saddle || multiplicity == request.multiplicity));
-  }
-  return result;
-}
 
 Values withoutUnneeded(const DesignMesh& mesh, const Values& values,
   const std::vector<CriticalRequest>& requests, const Execution& execution)

@@ -15,7 +15,4 @@ namespace SurfaceScalars
 Values withoutUnneeded(const DesignMesh& mesh, const Values& values,
   const std::vector<CriticalRequest>& requests, const Execution& execution);
 
-/// By request: whether the vertex is of the type and multiplicity that are asked for.
-std::vector<char> areMet(const VertexTypes& types, const std::vector<CriticalRequest>& requests);
-
 } // namespace SurfaceScalars

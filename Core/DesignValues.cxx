@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -66,17 +68,85 @@ std::vector<ValueConstraint> knownValues(const MeshTopology& mesh,
   return result;
 }
 
-std::vector<double> differencesOf(const CriticalRequest& request)
+/// What the first pass left of the values, and is to be asked for.
+class SecondPass
 {
-  std::vector<double> result = request.star;
-  for (double& value : result)
+public:
+  SecondPass(const PointsRef& vertices, const MeshTopology& mesh,
+    const std::vector<CriticalRequest>& requests, const DesignValues& chosen, Values field)
+    : vertices_(vertices)
+    , mesh_(mesh)
+    , requests_(requests)
+    , chosen_(chosen)
+    , field_(std::move(field))
   {
-    value -= *request.value;
+    if (this->field_.size() > 0)
+    {
+      this->met_ = areMet(classifyVertices(mesh, this->field_), requests);
+    }
+  }
+
+  StarRequest star(std::size_t request) const;
+
+private:
+  std::vector<double> wantedDifferences(const CriticalRequest& request) const;
+
+  const PointsRef& vertices_;
+  const MeshTopology& mesh_;
+  const std::vector<CriticalRequest>& requests_;
+  const DesignValues& chosen_;
+  Values field_;          ///< empty if all stars are given
+  std::vector<char> met_; ///< requests that the field meets as it is
+};
+
+std::vector<double> SecondPass::wantedDifferences(const CriticalRequest& request) const
+{
+  const std::vector<Vector3d> offsets = offsetsFrom(this->vertices_, this->requests_, request);
+  const double distance = distanceToNext(this->vertices_, offsets);
+  const double curvature =
+    LeastCurvature * (this->chosen_.highest - this->chosen_.lowest) / (distance * distance);
+  return starTemplate(this->vertices_, this->mesh_, this->field_,
+    { request.vertex, request.type, request.multiplicity, curvature, offsets });
+}
+
+StarRequest SecondPass::star(std::size_t i) const
+{
+  const CriticalRequest& request = this->requests_[i];
+  const double value =
+    this->chosen_.values[i] ? *this->chosen_.values[i] : this->field_[request.vertex];
+  StarRequest result{ request.vertex, request.type, request.multiplicity, value, request.star };
+  if (isFree(request) && this->met_[i] == 0)
+  {
+    result.differences = this->wantedDifferences(request);
+    return result;
+  }
+  if (isFree(request))
+  {
+    const VertexRange link = this->mesh_.link(request.vertex);
+    std::transform(link.begin(), link.end(), std::back_inserter(result.differences),
+      [&](Index neighbor) { return this->field_[neighbor]; });
+  }
+  for (double& difference : result.differences)
+  {
+    difference -= value;
   }
   return result;
 }
 
 } // namespace
+
+std::vector<char> areMet(const VertexTypes& types, const std::vector<CriticalRequest>& requests)
+{
+  std::vector<char> result;
+  for (const CriticalRequest& request : requests)
+  {
+    const bool isSame = types.types[request.vertex] == request.type;
+    const auto multiplicity = static_cast<int>(types.multiplicities[request.vertex]);
+    result.push_back(
+      isSame && (request.type != CriticalType::Saddle || multiplicity == request.multiplicity));
+  }
+  return result;
+}
 
 DesignValues designValues(const MeshTopology& mesh, const std::vector<CriticalRequest>& requests)
 {
@@ -136,29 +206,12 @@ std::vector<ValueConstraint> constraintsOf(const PointsRef& vertices, const Mesh
 {
   const DesignValues chosen = designValues(mesh, requests);
   const bool isTemplate = std::none_of(requests.begin(), requests.end(), isFree);
-  const Values field =
-    isTemplate ? Values() : extension(knownValues(mesh, requests, chosen), execution);
-
+  const SecondPass second(vertices, mesh, requests, chosen,
+    isTemplate ? Values() : extension(knownValues(mesh, requests, chosen), execution));
   std::vector<StarRequest> stars;
   for (std::size_t i = 0; i < requests.size(); ++i)
   {
-    const CriticalRequest& request = requests[i];
-    const double value = chosen.values[i] ? *chosen.values[i] : field[request.vertex];
-    StarRequest star{ request.vertex, request.type, request.multiplicity, value, {} };
-    if (isFree(request))
-    {
-      const std::vector<Vector3d> offsets = offsetsFrom(vertices, requests, request);
-      const double distance = distanceToNext(vertices, offsets);
-      const double curvature =
-        LeastCurvature * (chosen.highest - chosen.lowest) / (distance * distance);
-      star.differences = starTemplate(vertices, mesh, field,
-        { request.vertex, request.type, request.multiplicity, curvature, offsets });
-    }
-    else
-    {
-      star.differences = differencesOf(request);
-    }
-    stars.push_back(std::move(star));
+    stars.push_back(second.star(i));
   }
   return starValues(mesh, stars, nameOf);
 }

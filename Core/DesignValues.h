@@ -28,10 +28,14 @@ DesignValues designValues(const MeshTopology& mesh, const std::vector<CriticalRe
 using ValueExtension =
   std::function<Values(const std::vector<ValueConstraint>& constraints, const Execution&)>;
 
+/// By request: whether the vertex is of the type and multiplicity that are asked for.
+std::vector<char> areMet(const VertexTypes& types, const std::vector<CriticalRequest>& requests);
+
 /**
- * The values of all critical points and their links, in two passes (design.md): the extension of
- * what is known gives saddles without a value theirs, and links without values those of its
- * quadratic approximation with the curvatures that are asked for.
+ * The values of all critical points and their links, in two passes: the extension of what is known
+ * gives saddles without a value theirs, and links without values those that it has where it is
+ * what is asked for, else those of its quadratic approximation with other curvatures
+ * (starTemplate()).
  *
  * @throws InvalidInput for requests that exclude each other, and what the extension throws; Aborted
  */

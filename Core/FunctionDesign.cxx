@@ -22,7 +22,6 @@ constexpr double CleanShare = 0.95;
 
 using Constraints = std::vector<ValueConstraint>;
 
-/// The first pass: star values come from a smooth function, whatever is made of them.
 ValueExtension firstPass(const DesignMesh& mesh, const DesignParameters& parameters)
 {
   if (parameters.approach == DesignApproach::Meshless)
@@ -30,10 +29,10 @@ ValueExtension firstPass(const DesignMesh& mesh, const DesignParameters& paramet
     return [&mesh](const Constraints& known, const Execution& execution)
     { return RadialDesign(mesh, KernelType::Cubic, 0.0).through(known, execution); };
   }
-  return [&mesh, metric = parameters.metric](const Constraints& known, const Execution& execution)
+  return [&mesh, energy = parameters.energy, metric = parameters.metric](
+           const Constraints& known, const Execution& execution)
   {
-    GreensFunctions& functions =
-      mesh.greensFunctions(SmoothingEnergy::Biharmonic, metric, execution.part(0.0, 0.6));
+    GreensFunctions& functions = mesh.greensFunctions(energy, metric, execution.part(0.0, 0.6));
     return leastEnergyThrough(functions,
       energyConstraints(functions, known, execution.part(0.6, 0.9), mesh.nameOf()),
       execution.part(0.9, 1.0));
