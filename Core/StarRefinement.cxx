@@ -32,13 +32,14 @@ Index sizeWith(Index parts, const MeshTopology& mesh, Index vertex)
   return mesh.link(vertex).size() + edges * (parts - 1);
 }
 
-/// @throws InvalidInput that says how many neighbors the vertex can have
+/// @throws InvalidInput that says how many neighbors the vertex can have: a saddle of multiplicity
+/// m needs 2 + 2m, on the boundary m + 2
 [[noreturn]] void refuse(const NeededLink& need, const MeshTopology& mesh, const VertexName& nameOf)
 {
   const Index most = sizeWith(MostParts, mesh, need.vertex);
   const bool isBoundary = mesh.isBoundary(need.vertex);
   throw InvalidInput("saddles of multiplicity at most " +
-      std::to_string(isBoundary ? most - 1 : most / 2 - 1) + " at vertex " +
+      std::to_string(isBoundary ? most - 2 : most / 2 - 1) + " at vertex " +
       std::to_string(nameOfVertex(need.vertex, nameOf)) + ", which has " +
       std::to_string(mesh.link(need.vertex).size()) + " neighbors and " + std::to_string(most) +
       " after its triangles are split in " + std::to_string(MostParts),

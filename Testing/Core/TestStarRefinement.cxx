@@ -36,10 +36,11 @@ Vector3d areaVector(const Points& points, const Triangles& triangles, Eigen::Ind
   return (points.col(corners[1]) - origin).cross(points.col(corners[2]) - origin) / 2.0;
 }
 
-/// As many neighbors as a saddle of this multiplicity has at least: 2 + 2m, on the boundary m + 1.
+/// As many neighbors as a saddle of this multiplicity has at least: for 2 + 2m changes of sign
+/// around it, on the boundary for m + 1 along its link.
 NeededLink saddleAt(const MeshTopology& mesh, Index vertex, Index multiplicity)
 {
-  return { vertex, mesh.isBoundary(vertex) ? multiplicity + 1 : 2 + 2 * multiplicity };
+  return { vertex, mesh.isBoundary(vertex) ? multiplicity + 2 : 2 + 2 * multiplicity };
 }
 
 /// Some vertices, neighbors among them.
@@ -240,9 +241,9 @@ TEST(StarRefinement, refusesMoreThanQuarters)
   EXPECT_EQ(refusal(mesh, { saddleAt(topologyOf(mesh), 2, 5) }), "taken");
 
   const TriangleMesh patch = gridMesh(Grid::Patch, 3, 3);
-  EXPECT_NE(refusal(patch, { saddleAt(topologyOf(patch), 1, 13) }).find("at most 12 at vertex 101"),
+  EXPECT_NE(refusal(patch, { saddleAt(topologyOf(patch), 1, 12) }).find("at most 11 at vertex 101"),
     std::string::npos);
-  EXPECT_EQ(refusal(patch, { saddleAt(topologyOf(patch), 1, 12) }), "taken");
+  EXPECT_EQ(refusal(patch, { saddleAt(topologyOf(patch), 1, 11) }), "taken");
 
   const TriangleMesh pillow{ mesh.points.leftCols(3), { { 0, 1, 2 }, { 0, 2, 1 } } };
   EXPECT_EQ(refusal(pillow, { { 1, 4 } }),
