@@ -70,27 +70,32 @@ void dropEdges(FilterRun& run, Triangles& triangles)
 }
 
 /// Cuts out the triangles around points without a finite position or value.
+/// @param values empty if there are none
 /// @returns how many points these are
 Eigen::Index dropMissing(
   FilterRun& run, const Points& points, const Values& values, Triangles& triangles)
 {
-  std::vector<char> missing(static_cast<std::size_t>(values.size()));
-  for (Eigen::Index i = 0; i < values.size(); ++i)
+  const bool hasValues = values.size() > 0;
+  std::vector<char> missing(static_cast<std::size_t>(points.cols()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
   {
-    missing[static_cast<std::size_t>(i)] = !std::isfinite(values(i)) || !points.col(i).allFinite();
+    missing[static_cast<std::size_t>(i)] =
+      (hasValues && !std::isfinite(values(i))) || !points.col(i).allFinite();
   }
   const Eigen::Index count = std::count(missing.begin(), missing.end(), 1);
   if (count > 0)
   {
     const Eigen::Index total = triangles.cols();
     triangles = trianglesWithout(triangles, missing);
-    run.note("Left out " + std::to_string(count) + " of " + std::to_string(values.size()) +
-      " points whose position or value is NaN or infinite, with " +
+    run.note("Left out " + std::to_string(count) + " of " + std::to_string(points.cols()) +
+      " points whose position" + (hasValues ? " or value" : "") + " is NaN or infinite, with " +
       std::to_string(total - triangles.cols()) + " of " + std::to_string(total) +
       " triangles: the mesh has holes there.");
   }
-  require(triangles.cols() > 0, "triangles between points with a finite position and value", "none",
-    "Choose another array or another input.");
+  require(triangles.cols() > 0,
+    std::string("triangles between points with a finite position") +
+      (hasValues ? " and value" : ""),
+    "none", hasValues ? "Choose another array or another input." : "Choose another input.");
   return count;
 }
 
@@ -102,6 +107,17 @@ VertexMap allPoints(Eigen::Index count)
   std::iota(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), Index(0));
   std::iota(map.pointOfVertex.begin(), map.pointOfVertex.end(), vtkIdType{ 0 });
   return map;
+}
+
+/// What is left of the triangles between points. @param values empty if there are none
+MeshedSurface usableSurface(
+  FilterRun& run, const Points& points, const Values& values, Triangles triangles)
+{
+  dropEdges(run, triangles);
+  const Eigen::Index missing = dropMissing(run, points, values, triangles);
+  MeshedSurface surface = surfaceOf(points, std::move(triangles), allPoints(points.cols()));
+  noteOutside(run, surface.map, missing);
+  return surface;
 }
 
 /// The vertices on the boundary, those at one place beside each other.
@@ -133,21 +149,28 @@ MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* inpu
   const Points points = readPoints(input->GetPoints(), execution.part(TriangleShare, PointShare));
   Values values(points.cols());
   copyNumbers(choice.arrays.front(), values.data(), execution.part(PointShare, ValueShare));
-  dropEdges(run, triangles);
-  const Eigen::Index missing = dropMissing(run, points, values, triangles);
 
   MeshInput mesh;
-  mesh.surface = surfaceOf(points, std::move(triangles), allPoints(points.cols()));
+  mesh.surface = usableSurface(run, points, values, std::move(triangles));
   mesh.values = values(mesh.surface.map.pointOfVertex);
   mesh.valueName = choice.name;
-  noteOutside(run, mesh.surface.map, missing);
   execution.report(1.0);
   return mesh;
 }
 
-void noteSeams(FilterRun& run, const MeshInput& mesh, const MeshTopology& topology)
+MeshedSurface readSurface(FilterRun& run, const Execution& execution, vtkPolyData* input)
 {
-  const Points& places = mesh.surface.vertices;
+  Triangles triangles = readTriangles(run, execution.part(0.0, TriangleShare), input);
+  const Points points = readPoints(input->GetPoints(), execution.part(TriangleShare, PointShare));
+  MeshedSurface surface = usableSurface(run, points, {}, std::move(triangles));
+  execution.report(1.0);
+  return surface;
+}
+
+void noteSeams(
+  FilterRun& run, const MeshedSurface& surface, const MeshTopology& topology, const Values& values)
+{
+  const Points& places = surface.vertices;
   const std::vector<Index> rim = boundaryByPlace(places, topology);
   std::size_t doubled = 0;
   std::size_t different = 0;
@@ -155,7 +178,7 @@ void noteSeams(FilterRun& run, const MeshInput& mesh, const MeshTopology& topolo
   {
     const bool isSame = places.col(rim[i]) == places.col(rim[i - 1]);
     doubled += isSame;
-    different += isSame && mesh.values(rim[i]) != mesh.values(rim[i - 1]);
+    different += isSame && values.size() > 0 && values(rim[i]) != values(rim[i - 1]);
   }
   if (doubled > 0)
   {
@@ -173,7 +196,7 @@ MeshTopology topologyOf(FilterRun& run, const MeshInput& mesh, const Execution& 
   const MeshedSurface& surface = mesh.surface;
   MeshTopology topology(
     static_cast<Index>(surface.vertices.cols()), surface.triangles, execution, surface.map.names());
-  noteSeams(run, mesh, topology);
+  noteSeams(run, surface, topology, mesh.values);
   return topology;
 }
 

@@ -32,9 +32,14 @@ struct MeshInput
  */
 MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* input);
 
+/// The same without a function: reads the triangles only.
+MeshedSurface readSurface(FilterRun& run, const Execution& execution, vtkPolyData* input);
+
 /// Counts the vertices on the boundary that are at the place of another one in a note: where the
 /// mesh may be torn by mistake.
-void noteSeams(FilterRun& run, const MeshInput& mesh, const MeshTopology& topology);
+/// @param values of f; empty if there is none
+void noteSeams(
+  FilterRun& run, const MeshedSurface& surface, const MeshTopology& topology, const Values& values);
 
 /// The topology of the mesh, seams noted. @throws as MeshTopology; errors name points of the input
 MeshTopology topologyOf(FilterRun& run, const MeshInput& mesh, const Execution& execution);

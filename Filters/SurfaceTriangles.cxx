@@ -79,10 +79,12 @@ public:
     }
   }
 
+  std::size_t size() const { return this->corners_.size() / 3; }
+
   Triangles result() const
   {
     return Eigen::Map<const Triangles>(
-      this->corners_.data(), 3, static_cast<Eigen::Index>(this->corners_.size() / 3));
+      this->corners_.data(), 3, static_cast<Eigen::Index>(this->size()));
   }
 
 private:
@@ -123,14 +125,32 @@ private:
 
 } // namespace
 
-Triangles trianglesOf(vtkPolyData* surface, const Execution& execution)
+Triangles trianglesOf(
+  vtkPolyData* surface, const Execution& execution, std::vector<vtkIdType>* cells)
 {
   const vtkIdType pointCount = surface->GetNumberOfPoints();
   TriangleList list(surface->GetPoints());
+  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  const auto endCell = [&]()
+  {
+    if (cells)
+    {
+      cells->resize(list.size(), cell);
+    }
+    ++cell;
+  };
   forEachCell(surface->GetPolys(), pointCount, execution.part(0.0, 0.5),
-    [&list](vtkIdType size, const vtkIdType* ids) { list.addPolygon(size, ids); });
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      list.addPolygon(size, ids);
+      endCell();
+    });
   forEachCell(surface->GetStrips(), pointCount, execution.part(0.5, 1.0),
-    [&list](vtkIdType size, const vtkIdType* ids) { list.addStrip(size, ids); });
+    [&](vtkIdType size, const vtkIdType* ids)
+    {
+      list.addStrip(size, ids);
+      endCell();
+    });
   return list.result();
 }
 

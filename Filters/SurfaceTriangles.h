@@ -3,6 +3,10 @@
 #include "Execution.h"
 #include "Triangles.h"
 
+#include "vtkType.h"
+
+#include <vector>
+
 class vtkPolyData;
 
 namespace SurfaceScalars
@@ -13,8 +17,10 @@ namespace SurfaceScalars
  * polygons cut up as Triangulate does, in the order of the cells, then its strips. A polygon
  * without area, which has no ears to cut, becomes a fan. Vertices and lines are ignored.
  *
+ * @param cells if there: of which cell each triangle is a part, ascending
  * @throws InvalidInput for a corner that does not exist; Aborted
  */
-Triangles trianglesOf(vtkPolyData* surface, const Execution& execution);
+Triangles trianglesOf(
+  vtkPolyData* surface, const Execution& execution, std::vector<vtkIdType>* cells = nullptr);
 
 } // namespace SurfaceScalars

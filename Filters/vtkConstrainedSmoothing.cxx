@@ -150,7 +150,7 @@ void writeMeasures(const FilterRun& run, const SmoothedFunction& smoothed,
 } // namespace
 
 vtkConstrainedSmoothing::vtkConstrainedSmoothing()
-  : Memory(std::make_unique<MeshMemory>())
+  : Memory(std::make_unique<MeshMemory<SmoothingMesh>>())
 {
   this->SetNumberOfOutputPorts(TablePort + 1);
   this->SetResultArrayName("SmoothedScalars");
@@ -196,7 +196,7 @@ int vtkConstrainedSmoothing::RequestData(
       }
       const SmoothingMesh& known =
         this->Memory->meshOf(mesh.surface, execution.part(ReadShare, MeshShare));
-      noteSeams(run, mesh, known.topology());
+      noteSeams(run, mesh.surface, known.topology(), mesh.values);
       const SmoothedFunction smoothed =
         smoothFunction(known, mesh.values, parameters, execution.part(MeshShare, 1.0));
       noteLost(run, smoothed.lost, map);

@@ -55,6 +55,8 @@
 
 namespace SurfaceScalars
 {
+class SmoothingMesh;
+template <class Mesh>
 class MeshMemory;
 }
 
@@ -250,7 +252,7 @@ private:
   bool IncludeOneStars = true;
   bool SmoothedStars = true;
   char* ResultArrayName = nullptr;
-  std::unique_ptr<SurfaceScalars::MeshMemory> Memory;
+  std::unique_ptr<SurfaceScalars::MeshMemory<SurfaceScalars::SmoothingMesh>> Memory;
 };
 
 #endif

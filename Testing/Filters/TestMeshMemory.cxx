@@ -2,6 +2,7 @@
 
 #include "MeshMemory.h"
 
+#include "ConstrainedSmoothing.h"
 #include "Error.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ Execution stopped()
 // The same content in other arrays is the same mesh: nothing is built.
 TEST(MeshMemory, recognizesTheMeshByItsContent)
 {
-  MeshMemory memory;
+  MeshMemory<SmoothingMesh> memory;
   memory.meshOf(tetrahedron(), {});
   EXPECT_NO_THROW(memory.meshOf(tetrahedron(), stopped()));
 }
@@ -50,7 +51,7 @@ TEST(MeshMemory, tellsMeshesApart)
   turned.triangles.col(0).reverseInPlace();
   for (const MeshedSurface& other : { moved, turned, tetrahedron(5) })
   {
-    MeshMemory memory;
+    MeshMemory<SmoothingMesh> memory;
     memory.meshOf(tetrahedron(), {});
     EXPECT_THROW(memory.meshOf(other, stopped()), Aborted);
     EXPECT_EQ(memory.meshOf(other, {}).vertices(), other.vertices);
@@ -60,7 +61,7 @@ TEST(MeshMemory, tellsMeshesApart)
 // What was given up is not kept.
 TEST(MeshMemory, keepsNothingThatWasGivenUp)
 {
-  MeshMemory memory;
+  MeshMemory<SmoothingMesh> memory;
   EXPECT_THROW(memory.meshOf(tetrahedron(), stopped()), Aborted);
   EXPECT_THROW(memory.meshOf(tetrahedron(), stopped()), Aborted);
   EXPECT_NO_THROW(memory.meshOf(tetrahedron(), {}));
