@@ -64,15 +64,15 @@ EnergyConstraints energyConstraints(GreensFunctions& functions,
   }
   result.vertices.assign(distinct.begin(), distinct.end());
 
-  const Values given = all.given(result.vertices);
-  result.lowest = given.minCoeff();
-  result.range = given.maxCoeff() - result.lowest;
+  result.given = all.given(result.vertices);
+  result.lowest = result.given.minCoeff();
+  result.range = result.given.maxCoeff() - result.lowest;
   result.range = result.range > 0.0 ? result.range : 1.0;
-  result.values = (given.array() - result.lowest) / result.range;
+  result.values = (result.given.array() - result.lowest) / result.range;
   result.energies = functions.among(result.vertices, execution);
   const auto& components = poisson.components();
   result.constants.setZero(
-    given.size(), 1 + *std::max_element(components.begin(), components.end()));
+    result.given.size(), 1 + *std::max_element(components.begin(), components.end()));
   for (std::size_t i = 0; i < result.vertices.size(); ++i)
   {
     result.constants(static_cast<Eigen::Index>(i), components[result.vertices[i]]) = 1.0;
@@ -104,8 +104,9 @@ Values leastEnergyThrough(const GreensFunctions& functions, const EnergyConstrai
       " given values, found one that misses them by " + textOf(error) +
       " of their range. Choose fewer points, or points farther apart.");
   }
-  result(constraints.vertices) = constraints.values;
-  return (result * constraints.range).array() + constraints.lowest;
+  result = (result * constraints.range).array() + constraints.lowest;
+  result(constraints.vertices) = constraints.given;
+  return result;
 }
 
 LeastEnergyNear::LeastEnergyNear(const GreensFunctions& functions,

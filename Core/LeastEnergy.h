@@ -13,16 +13,17 @@ namespace SurfaceScalars
 struct EnergyConstraints
 {
   std::vector<Index> vertices; ///< different ones
-  Values values;               ///< in the unit in which they are between 0 and 1
-  double lowest;               ///< of the given values
+  Values given;                ///< their values
+  double lowest;               ///< of these
   double range;                ///< of these; 1 if they are all equal
+  Values values;               ///< in the unit in which they are between 0 and 1
   Eigen::MatrixXd energies;    ///< G, of the Green's functions
   Eigen::MatrixXd constants;   ///< 1 where the vertex (row) is of the component (column)
 };
 
 /// @param constraints at least one in each connected component; several at a vertex must agree
 /// @throws InvalidInput unless it is so; Aborted
-EnergyConstraints energyConstraints(GreensFunctions& functions,
+SURFACESCALARSCORE_EXPORT EnergyConstraints energyConstraints(GreensFunctions& functions,
   const std::vector<ValueConstraint>& constraints, const Execution& execution,
   const VertexName& nameOf);
 
@@ -36,14 +37,14 @@ EnergyConstraints energyConstraints(GreensFunctions& functions,
  *
  * @throws Error if rounding errors spoil it; Aborted
  */
-Values leastEnergyThrough(const GreensFunctions& functions, const EnergyConstraints& constraints,
-  const Execution& execution);
+SURFACESCALARSCORE_EXPORT Values leastEnergyThrough(const GreensFunctions& functions,
+  const EnergyConstraints& constraints, const Execution& execution);
 
 /**
  * (3): the functions that make energy(x) + t (x - values)^T W (x - values) least, for any t, after
  * one dense decomposition: f as above, but (G + (t W)^-1) lambda + constants = values.
  */
-class LeastEnergyNear
+class SURFACESCALARSCORE_EXPORT LeastEnergyNear
 {
 public:
   /// @param metric W, of all vertices; positive definite
