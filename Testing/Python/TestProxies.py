@@ -201,6 +201,33 @@ PROXIES = {
         },
         "others": ["Input", "ScalarArray", "ConstraintArray"],
     },
+    "ScalarFunctionDesign": {
+        "ports": ["Output", "CriticalPoints", "ParameterCurve"],
+        "enumerations": {
+            "Approach": {"MeshBased": 0, "Meshless": 1},
+            "ConstraintType": {"Interpolating": 0, "LeastSquares": 1},
+            "EpsilonChoice": {"LCurve": 1, "Manual": 2},
+            "Energy": {"Harmonic": 0, "Biharmonic": 1},
+            "Metric": {"Identity": 0, "MassMatrix": 1, "LumpedMass": 2},
+            "Kernel": {**KERNELS, "Harmonic": 9},
+        },
+        "defaults": {
+            "Approach": "MeshBased",
+            "ConstraintType": "Interpolating",
+            "CleanUp": 0,
+            "TemplateArray": ["POINTS", "None"],
+            "PersistenceThreshold": 0.0,
+            "EpsilonChoice": "LCurve",
+            "Epsilon": 1e5,
+            "Energy": "Biharmonic",
+            "Metric": "Identity",
+            "Kernel": "Cubic",
+            "KernelWidth": 0.0,
+            "MaximumDistance": 0.0,
+            "ResultArrayName": "DesignedScalars",
+        },
+        "others": ["Input", "CriticalPoints"],
+    },
 }
 
 
@@ -260,6 +287,7 @@ class TestProxies(unittest.TestCase):
             (contour, "Kernel", "Harmonic"),
             (critical, "Scheme", "Linear"),
             (critical, "Scheme", "GlobalRBF"),
+            (self.proxies["ScalarFunctionDesign"], "EpsilonChoice", "GCV"),
         ):
             with self.assertRaises(ValueError):
                 setattr(proxy, property_name, value)
