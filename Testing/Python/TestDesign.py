@@ -1,6 +1,10 @@
 """Design of functions through the plugin: from a filter's critical points, a table, points placed in the view."""
 
+import os
+import runpy
+import sys
 import unittest
+from unittest import mock
 
 import numpy
 import support
@@ -254,6 +258,26 @@ class TestDesign(unittest.TestCase):
                 self.assertEqual(getattr(design, name), value, name)
             self.assertEqual(list(design.TemplateArray), template)
             self.assertEqual(design.CriticalPoints, simple.FindSource("Peak"))
+
+    def test_the_example_and_its_state(self):
+        """The state that the example writes can be worked with: the function follows a peak."""
+        data = os.environ["SURFACE_SCALARS_DATA"]
+        example = os.path.join(os.path.dirname(data), "Examples", "pvpython", "design_function.py")
+        picture, state = support.output_file("design.png"), support.output_file("design-elephant.pvsm")
+        arguments = [example, os.environ["SURFACE_SCALARS_PLUGIN"], os.path.join(data, "elephant.vtk"), picture]
+        with mock.patch.object(sys, "argv", arguments + ["--state", state]):
+            runpy.run_path(example, run_name="__main__")
+        self.assertGreater(os.path.getsize(picture), 10000)
+        simple.ResetSession()
+        simple.LoadState(state)
+        function, peak = simple.FindSource("function"), simple.FindSource("peak 1")
+        for height in (0.5, 0.49):
+            peak.Center = [0.184, height, 0.089]
+            with support.Messages() as messages:
+                mesh, found = support.fetch(function), support.fetch(function, 1)
+            self.assertEqual(messages.text, "")
+            self.assertEqual(list(support.field_array(mesh, "Missing")), [0])
+            self.assertEqual(numpy.count_nonzero(support.point_array(found, "Prescribed")), 7)
 
 
 if __name__ == "__main__":
