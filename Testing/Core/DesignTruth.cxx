@@ -1,164 +1,298 @@
 // Whether designed functions have the critical points that are asked for, and which others, as
-// tables in Markdown.
+// tables in Markdown; fails if one that must be there is not.
+//
+//   surface-scalars-design-truth [reduced] [requests] [places [FOLDER]] [tradeoff]
+//
+// requests: random points on meshes of genus 0 to 3; places: where functions have their critical
+// points anyway, on the elephants of a folder as well; tradeoff: least squares by epsilon.
 
-#include "FunctionDesign.h"
-#include "LinkWalk.h"
+#include "DesignRequests.h"
+#include "LaplacianFunctions.h"
 #include "MarkdownReport.h"
 #include "MeshExamples.h"
-#include "MeshFunctions.h"
 
-#include <chrono>
-#include <cstring>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
 
 using namespace SurfaceScalars;
 using namespace SurfaceScalars::Truth;
 
 namespace
 {
+
 struct Way
 {
-  const char* name;
-  DesignParameters p;
+  std::string name;
+  DesignParameters parameters;
 };
 
-std::vector<CriticalRequest> randomRequests(const MeshTopology& topology, unsigned seed)
+Way meshBased(const std::string& name, SmoothingEnergy energy, DataMetric metric)
 {
-  Random random(seed);
-  std::vector<CriticalRequest> result;
-  const int count = 2 + static_cast<int>(random.uniform() * 19);
-  const bool given = seed % 2 == 0;
-  std::vector<char> used(topology.vertexCount(), 0);
-  while (static_cast<int>(result.size()) < count)
+  Way way{ name, {} };
+  way.parameters.energy = energy;
+  way.parameters.metric = metric;
+  return way;
+}
+
+Way meshless(const std::string& name, KernelType kernel)
+{
+  Way way{ name, {} };
+  way.parameters.approach = DesignApproach::Meshless;
+  way.parameters.kernel = kernel;
+  return way;
+}
+
+Way leastSquares(const std::string& name, double epsilon)
+{
+  Way way{ name, {} };
+  way.parameters.constraints = DesignConstraints::LeastSquares;
+  way.parameters.epsilonChoice = epsilon > 0.0 ? EpsilonChoice::Manual : EpsilonChoice::LCurve;
+  way.parameters.epsilon = epsilon > 0.0 ? epsilon : 1.0;
+  return way;
+}
+
+std::vector<Way> allWays()
+{
+  return { meshBased("biharmonic", SmoothingEnergy::Biharmonic, DataMetric::Identity),
+    meshBased("biharmonic, mass matrix", SmoothingEnergy::Biharmonic, DataMetric::MassMatrix),
+    meshBased("harmonic", SmoothingEnergy::Harmonic, DataMetric::Identity),
+    meshless("cubic", KernelType::Cubic), meshless("Gaussian", KernelType::Gaussian),
+    meshless("1 / r, offset centers", KernelType::Harmonic),
+    leastSquares("least squares, L-curve", 0.0) };
+}
+
+bool mustKeep(const Way& way)
+{
+  return way.parameters.constraints == DesignConstraints::Interpolating;
+}
+
+/// Of critical points asked for and found.
+struct Tally
+{
+  int asked = 0;
+  int kept = 0;
+  int added = 0;
+  int byWalking = 0; ///< of those asked for, by a walk around each vertex
+
+  void add(const DesignedFunction& result, const TriangleMesh& mesh,
+    const std::vector<CriticalRequest>& requests)
   {
-    CriticalRequest r;
-    r.vertex = static_cast<Index>(random.uniform() * topology.vertexCount());
-    bool bad = used[r.vertex];
-    for (Index n : topology.link(r.vertex))
-      bad = bad || used[n];
-    if (bad)
-      continue;
-    const int t = static_cast<int>(random.uniform() * 3);
-    r.type = t == 0 ? CriticalType::Minimum : t == 1 ? CriticalType::Saddle : CriticalType::Maximum;
-    if (t == 1)
-    {
-      const int m = 1 + static_cast<int>(random.uniform() * 3);
-      r.multiplicity = std::min<int>(m, (int(topology.link(r.vertex).size()) - 2) / 2);
-      if (r.multiplicity < 1)
-        continue;
-    }
-    if (given)
-      r.value = random.uniform();
-    used[r.vertex] = 1;
-    for (Index n : topology.link(r.vertex))
-      used[n] = 1;
-    result.push_back(r);
+    const auto met = static_cast<int>(requests.size() - result.missing.size());
+    this->asked += static_cast<int>(requests.size());
+    this->kept += met;
+    this->added += static_cast<int>(result.critical.points.size()) - met;
+    this->byWalking += static_cast<int>(metByWalking(mesh, result.values, requests));
+  }
+};
+
+/// How many more points Euler's formula needs at least: extrema of a kind that is not asked for,
+/// and what the sum of the indices lacks.
+int necessary(const std::vector<CriticalRequest>& requests, int eulerCharacteristic)
+{
+  int sum = 0;
+  int minima = 0;
+  int maxima = 0;
+  for (const CriticalRequest& request : requests)
+  {
+    sum += indexOf(request.type, request.multiplicity);
+    minima += request.type == CriticalType::Minimum;
+    maxima += request.type == CriticalType::Maximum;
+  }
+  const int extrema = (minima == 0) + (maxima == 0);
+  const int lacking = eulerCharacteristic - sum; // positive: extrema
+  return lacking >= extrema ? lacking : 2 * extrema - lacking;
+}
+
+DesignedFunction designed(const DesignMesh& mesh, const std::vector<CriticalRequest>& requests,
+  const Way& way, bool cleanUp)
+{
+  DesignParameters parameters = way.parameters;
+  parameters.cleanUp = cleanUp;
+  return designFunction(mesh, requests, parameters);
+}
+
+struct MeshToDesignOn
+{
+  std::string name;
+  TriangleMesh mesh;
+};
+
+TriangleMesh irregularTorus(int around)
+{
+  const Mesh torus = torusMesh(around, true);
+  TriangleMesh result{ torus.vertices, {} };
+  for (const auto corners : torus.triangles.colwise())
+  {
+    result.triangles.push_back(
+      { static_cast<int>(corners[0]), static_cast<int>(corners[1]), static_cast<int>(corners[2]) });
   }
   return result;
 }
+
+std::vector<MeshToDesignOn> meshesOfGenus0To3(bool isReduced)
+{
+  const int level = isReduced ? 3 : 4;
+  return { { "sphere", subdividedSphere(level + 1) },
+    { "irregular torus", irregularTorus(isReduced ? 50 : 100) },
+    { "plate with 2 holes", plateWithHoles(2, level) },
+    { "plate with 3 holes", plateWithHoles(3, level) } };
 }
+
+/// The numbers of a tally before and after clean-up.
+std::vector<std::string> cells(
+  MarkdownReport& report, const Way& way, const Tally& tally, const Tally& cleaned)
+{
+  const bool isKept = tally.kept == tally.asked && tally.byWalking == tally.kept &&
+    cleaned.byWalking == cleaned.kept && cleaned.kept >= tally.kept;
+  return { way.name, ofAll(tally.kept, tally.asked), std::to_string(tally.added),
+    ofAll(cleaned.kept, cleaned.asked), std::to_string(cleaned.added),
+    mustKeep(way) ? report.kept(isKept) : "" };
+}
+
+const std::vector<std::string> columns{ "function", "kept", "added", "kept, cleaned up",
+  "added, cleaned up", "all kept" };
+
+void reportRequests(MarkdownReport& report, bool isReduced)
+{
+  const unsigned count = isReduced ? 5 : 50;
+  for (const MeshToDesignOn& one : meshesOfGenus0To3(isReduced))
+  {
+    const MeshTopology topology = topologyOf(one.mesh);
+    int needed = 0;
+    for (unsigned seed = 1; seed <= count; ++seed)
+    {
+      needed += necessary(randomRequests(topology, seed), one.mesh.eulerCharacteristic());
+    }
+    report.head(one.name + ", " + std::to_string(topology.vertexCount()) + " vertices, " +
+        std::to_string(count) + " requests: Euler's formula needs at least " +
+        std::to_string(needed) + " points more",
+      columns);
+    for (const Way& way : allWays())
+    {
+      Tally tally;
+      Tally cleaned;
+      for (unsigned seed = 1; seed <= count; ++seed)
+      {
+        const std::vector<CriticalRequest> requests = randomRequests(topology, seed);
+        const TriangleMesh mesh = refinedFor(one.mesh, requests);
+        const DesignMesh design(mesh.points, trianglesOf(mesh));
+        tally.add(designed(design, requests, way, false), mesh, requests);
+        cleaned.add(designed(design, requests, way, true), mesh, requests);
+      }
+      report.row(cells(report, way, tally, cleaned));
+    }
+  }
+}
+
+/// One minimum, one maximum and the saddles of the harmonic function between them, without values.
+std::vector<CriticalRequest> naturalRequests(
+  const DesignMesh& mesh, const Laplacian& laplacian, unsigned seed)
+{
+  Random random(seed);
+  const Vector3d direction(
+    random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+  const Values height = mesh.vertices().transpose() * direction;
+  Eigen::Index lowest = 0;
+  Eigen::Index highest = 0;
+  height.minCoeff(&lowest);
+  height.maxCoeff(&highest);
+  const Values harmonic = harmonicFunction(
+    laplacian, { { static_cast<Index>(lowest), 0.0 }, { static_cast<Index>(highest), 1.0 } });
+  std::vector<CriticalRequest> requests =
+    requestsOf(mesh.vertices(), mesh.topology(), harmonic, 1e-6);
+  for (CriticalRequest& request : requests)
+  {
+    request.value.reset();
+    request.star.clear();
+  }
+  return requests;
+}
+
+void reportPlaces(MarkdownReport& report, const std::string& folder, bool isReduced)
+{
+  std::vector<MeshToDesignOn> meshes = meshesOfGenus0To3(isReduced);
+  for (const char* name : { "elephant.off", "refined_elephant.off" })
+  {
+    const std::filesystem::path file = std::filesystem::path(folder) / name;
+    if (!folder.empty() && std::filesystem::exists(file))
+    {
+      meshes.push_back({ name, readOff(file) });
+    }
+  }
+  for (const MeshToDesignOn& one : meshes)
+  {
+    const DesignMesh mesh(one.mesh.points, trianglesOf(one.mesh));
+    const Laplacian laplacian =
+      meshLaplacian(mesh.vertices(), mesh.topology().triangles(), LaplacianWeights::Cotangent);
+    report.head(one.name + ", " + std::to_string(mesh.topology().vertexCount()) +
+        " vertices: critical points of 6 harmonic functions",
+      columns);
+    for (const Way& way : allWays())
+    {
+      Tally tally;
+      Tally cleaned;
+      for (unsigned seed = 1; seed <= 6; ++seed)
+      {
+        const std::vector<CriticalRequest> requests = naturalRequests(mesh, laplacian, seed);
+        tally.add(designed(mesh, requests, way, false), one.mesh, requests);
+        cleaned.add(designed(mesh, requests, way, true), one.mesh, requests);
+      }
+      report.row(cells(report, way, tally, cleaned));
+    }
+  }
+}
+
+/// What least squares trades: closeness for smoothness and for points that were not asked for.
+void reportTradeoff(const MarkdownReport& report, bool isReduced)
+{
+  const unsigned count = isReduced ? 5 : 50;
+  const TriangleMesh coarse = irregularTorus(isReduced ? 50 : 100);
+  const MeshTopology topology = topologyOf(coarse);
+  report.head("irregular torus, " + std::to_string(topology.vertexCount()) + " vertices, " +
+      std::to_string(count) + " random requests: least squares",
+    { "epsilon", "kept", "added", "kept, cleaned up", "added, cleaned up" });
+  for (const double epsilon : { 1e4, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13 })
+  {
+    const Way way = leastSquares(number("%.0e", epsilon), epsilon);
+    Tally tally;
+    Tally cleaned;
+    for (unsigned seed = 1; seed <= count; ++seed)
+    {
+      const std::vector<CriticalRequest> requests = randomRequests(topology, seed);
+      const TriangleMesh mesh = refinedFor(coarse, requests);
+      const DesignMesh design(mesh.points, trianglesOf(mesh));
+      tally.add(designed(design, requests, way, false), mesh, requests);
+      cleaned.add(designed(design, requests, way, true), mesh, requests);
+    }
+    report.row({ way.name, ofAll(tally.kept, tally.asked), std::to_string(tally.added),
+      ofAll(cleaned.kept, cleaned.asked), std::to_string(cleaned.added) });
+  }
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto has = [&](const char* word)
+  { return std::find(arguments.begin(), arguments.end(), word) != arguments.end(); };
+  const bool isReduced = has("reduced");
+  const bool isAll = arguments.size() == (isReduced ? 1U : 0U);
+  const bool hasFolder = !isAll && std::filesystem::is_directory(arguments.back());
   MarkdownReport report;
-  std::vector<std::pair<std::string, TriangleMesh>> meshes;
-  meshes.push_back({ "sphere", subdividedSphere(5) });
+  if (isAll || has("requests"))
   {
-    Mesh t = torusMesh(100, true);
-    TriangleMesh m;
-    m.points = t.vertices;
-    for (auto c : t.triangles.colwise())
-      m.triangles.push_back({ int(c[0]), int(c[1]), int(c[2]) });
-    meshes.push_back({ "torus", m });
+    reportRequests(report, isReduced);
   }
-  meshes.push_back({ "genus 2", plateWithHoles(2, 4) });
-  for (int i = 2; i < argc; ++i)
-    meshes.push_back({ argv[i], readOff(argv[i]) });
-  std::vector<Way> ways;
-  auto add = [&](const char* n, auto f)
+  if (isAll || has("places"))
   {
-    Way w{ n, {} };
-    f(w.p);
-    ways.push_back(w);
-  };
-  add("biharmonic", [](auto&) {});
-  add("biharmonic mass", [](auto& p) { p.metric = DataMetric::MassMatrix; });
-  add("harmonic", [](auto& p) { p.energy = SmoothingEnergy::Harmonic; });
-  add("LS L-curve", [](auto& p) { p.constraints = DesignConstraints::LeastSquares; });
-  for (double e : { 1e5, 1e7, 1e9, 1e11 })
-  {
-    static std::vector<std::string> keep;
-    keep.reserve(10);
-    keep.push_back("LS eps " + number("%.0e", e));
-    add(keep.back().c_str(),
-      [e](auto& p)
-      {
-        p.constraints = DesignConstraints::LeastSquares;
-        p.epsilonChoice = EpsilonChoice::Manual;
-        p.epsilon = e;
-      });
+    reportPlaces(report, hasFolder ? arguments.back() : "", isReduced);
   }
-  add("cubic", [](auto& p) { p.approach = DesignApproach::Meshless; });
-  add("gauss",
-    [](auto& p)
-    {
-      p.approach = DesignApproach::Meshless;
-      p.kernel = KernelType::Gaussian;
-    });
-  add("1/r",
-    [](auto& p)
-    {
-      p.approach = DesignApproach::Meshless;
-      p.kernel = KernelType::Harmonic;
-    });
-  const int trials = std::atoi(argv[1]);
-  for (auto& [name, mesh] : meshes)
+  if (isAll || has("tradeoff"))
   {
-    DesignMesh design(mesh.points, trianglesOf(mesh));
-    report.head(name + " n=" + std::to_string(mesh.points.cols()) + " chi " +
-        std::to_string(design.topology().eulerCharacteristic()),
-      { "way", "kept", "added", "missing after cleanup", "added after", "necessary", "refused",
-        "s" });
-    for (const Way& way : ways)
-    {
-      int asked = 0, kept = 0, added = 0, keptAfter = 0, addedAfter = 0, refused = 0, necessary = 0;
-      std::string why;
-      const auto t0 = std::chrono::steady_clock::now();
-      for (int trial = 0; trial < trials; ++trial)
-      {
-        const auto requests = randomRequests(design.topology(), trial + 1);
-        try
-        {
-          const auto f = designFunction(design, requests, way.p);
-          DesignParameters q = way.p;
-          q.cleanUp = true;
-          const auto g = designFunction(design, requests, q);
-          asked += requests.size();
-          kept += requests.size() - f.missing.size();
-          added += f.critical.points.size() - (requests.size() - f.missing.size());
-          keptAfter += requests.size() - g.missing.size();
-          addedAfter += g.critical.points.size() - (requests.size() - g.missing.size());
-          int sum = 0, mi = 0, ma = 0;
-          for (auto& r : requests)
-          {
-            sum += indexOf(r.type, r.multiplicity);
-            mi += r.type == CriticalType::Minimum;
-            ma += r.type == CriticalType::Maximum;
-          }
-          int need =
-            std::abs(int(design.topology().eulerCharacteristic()) - sum - !mi - !ma) + !mi + !ma;
-          necessary += need;
-        }
-        catch (const std::exception& e)
-        {
-          ++refused;
-          why = e.what();
-        }
-      }
-      const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-      report.row({ way.name, ofAll(kept, asked), std::to_string(added),
-        std::to_string(asked - keptAfter), std::to_string(addedAfter), std::to_string(necessary),
-        std::to_string(refused) + " " + why, number("%.2f", s / trials / 2) });
-    }
+    reportTradeoff(report, isReduced);
   }
-  return 0;
+  return report.exitCode();
 }
