@@ -81,7 +81,31 @@ SURFACESCALARSCORE_EXPORT std::vector<CriticalRequest> requestsOf(const PointsRe
 /**
  * A smooth function with chosen critical points (design paper, sec. 3).
  *
- * TO BE WRITTEN
+ * In two passes. The first makes a smooth function through the values that are given; extrema
+ * without one get values below, or above, all of these (0 and 1 if none is given). It says what
+ * saddles without a value have, and what the surroundings of each point should look like
+ * (starTemplate()). The second has all values of the points and of their neighbors:
+ *
+ * - Interpolating (2): they are met exactly, so that each point is critical as asked for. MeshBased
+ *   functions have the least energy of all that do, Meshless ones are sums of radial functions.
+ *   (||L f||, which the paper calls Dirichlet's energy, is the biharmonic one.)
+ * - LeastSquares (3): energy(x) + t (x - f)^T W (x - f) over these vertices is least, t =
+ *   epsilon / area^2 biharmonic, epsilon / area harmonic; Meshless, 1 / epsilon is added to the
+ *   diagonal of the kernel's matrix. Points may be lost: `missing`.
+ *
+ * What is asked for need not obey Euler's formula, nor does least energy exclude other extrema, as
+ * biharmonic functions may rise above all given values: others are added, see `prescribed`. Nothing
+ * is added to what harmonic functions have anyway (Documentation/design-accuracy.md). With cleanUp
+ * what is not needed is removed, see withoutUnneeded().
+ *
+ * A design that differs from one before on this mesh in one point takes about an eighth of its
+ * time.
+ *
+ * @param requests at least one in each connected component, at different vertices with neighbors
+ * enough (refineStars())
+ * @param nameOf what messages call a request: "critical point 3" for the fourth unless given
+ * @throws InvalidInput that names requests for unusable ones, such that exclude each other, as
+ * neighbors may, and parameters out of range; Error if a solver fails; Aborted
  */
 SURFACESCALARSCORE_EXPORT DesignedFunction designFunction(const DesignMesh& mesh,
   const std::vector<CriticalRequest>& requests, const DesignParameters& parameters,
