@@ -1,6 +1,7 @@
 #include "RadialDesign.h"
 
 #include "LinearTerms.h"
+#include "Places.h"
 #include "RadialRefusal.h"
 #include "RidgeSystem.h"
 
@@ -18,14 +19,11 @@ constexpr double OffsetInEdges = 2.0; // of the centers of 1 / r
 constexpr std::size_t Grain = 256;    // vertices per block of a parallel loop
 constexpr double LeastRidge = 1e-12;  // regularization with which a width is chosen
 
-Points placesOf(const Points& vertices, const std::vector<ValueConstraint>& constraints)
+/// The vertices of constraints.
+Points centersOf(const Points& vertices, const std::vector<ValueConstraint>& constraints)
 {
-  Points result(3, constraints.size());
-  for (std::size_t i = 0; i < constraints.size(); ++i)
-  {
-    result.col(static_cast<Eigen::Index>(i)) = vertices.col(constraints[i].vertex);
-  }
-  return result;
+  return placesOf(constraints,
+    [&](const ValueConstraint& constraint) { return vertices.col(constraint.vertex); });
 }
 
 Values valuesOf(const std::vector<ValueConstraint>& constraints)
@@ -61,7 +59,7 @@ Points offsetCenters(const DesignMesh& mesh, const std::vector<ValueConstraint>&
 {
   const Points& vertices = mesh.vertices();
   const Points normals = vertexNormals(mesh);
-  Points result = placesOf(vertices, constraints);
+  Points result = centersOf(vertices, constraints);
   for (std::size_t i = 0; i < constraints.size(); ++i)
   {
     const Index vertex = constraints[i].vertex;
@@ -83,7 +81,7 @@ Values harmonicThrough(const DesignMesh& mesh, const std::vector<ValueConstraint
   const Points centers = offsetCenters(mesh, constraints);
   const auto rowAt = [&](const Vector3d& place) -> Eigen::RowVectorXd
   { return (centers.colwise() - place).colwise().norm().cwiseInverse(); };
-  const Points places = placesOf(mesh.vertices(), constraints);
+  const Points places = centersOf(mesh.vertices(), constraints);
   Eigen::MatrixXd matrix(centers.cols(), centers.cols());
   for (Eigen::Index i = 0; i < places.cols(); ++i)
   {
@@ -120,7 +118,7 @@ Field RadialDesign::field(const std::vector<ValueConstraint>& constraints, doubl
   parameters.kernelWidth = this->kernelWidth_;
   parameters.regularization = regularization;
   return Field::fit(
-    placesOf(this->mesh_.vertices(), constraints), valuesOf(constraints), parameters, execution);
+    centersOf(this->mesh_.vertices(), constraints), valuesOf(constraints), parameters, execution);
 }
 
 Values RadialDesign::through(
@@ -155,7 +153,7 @@ ParameterCurve RadialDesign::curve(
   const double width =
     this->field(constraints, LeastRidge, execution).model().parameters.kernelWidth;
   const RadialKernel kernel(this->kernel_, width);
-  const Points centers = placesOf(this->mesh_.vertices(), constraints);
+  const Points centers = centersOf(this->mesh_.vertices(), constraints);
   const Eigen::Index count = centers.cols();
   const Eigen::MatrixXd energies = Eigen::MatrixXd::NullaryExpr(count, count,
     [&](Eigen::Index i, Eigen::Index j)
