@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace SurfaceScalars
@@ -16,6 +17,7 @@ namespace
 /// Of the values' range over the squared distance to the next critical point: how curved f is at
 /// least, where it would be flat.
 constexpr double LeastCurvature = 0.1;
+constexpr double Rounding = 1e-9; // of the values' range: what solvers may add
 
 /// Offsets to all others from one.
 std::vector<Vector3d> offsetsFrom(const PointsRef& vertices,
@@ -46,6 +48,49 @@ double distanceToNext(const PointsRef& vertices, const std::vector<Vector3d>& of
 bool isFree(const CriticalRequest& request)
 {
   return request.star.empty();
+}
+
+/// Of some values; empty without any.
+struct ValueRange
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+
+  void add(double value)
+  {
+    this->lowest = std::min(this->lowest, value);
+    this->highest = std::max(this->highest, value);
+  }
+  bool isFlat() const { return this->lowest >= this->highest; }
+};
+
+/// The values of extrema without one: the ends of the range of given values, or beyond them where
+/// others than such extrema are there.
+DesignValues givenRange(const std::vector<CriticalRequest>& requests)
+{
+  ValueRange all;
+  ValueRange notMinima;
+  ValueRange notMaxima;
+  for (const CriticalRequest& request : requests)
+  {
+    if (request.value)
+    {
+      all.add(*request.value);
+      (request.type == CriticalType::Minimum ? notMaxima : notMinima).add(*request.value);
+      if (request.type == CriticalType::Saddle)
+      {
+        notMaxima.add(*request.value);
+      }
+    }
+  }
+  if (all.lowest > all.highest)
+  {
+    return { 0.0, 1.0, {} };
+  }
+  const double size = std::max(std::abs(all.lowest), std::abs(all.highest));
+  const double step = !all.isFlat() ? all.highest - all.lowest : size > 0.0 ? size : 1.0;
+  return { all.lowest - (notMinima.lowest <= all.lowest ? step : 0.0),
+    all.highest + (notMaxima.highest >= all.highest ? step : 0.0), {} };
 }
 
 /// Values of requests and stars that are known before the first pass.
@@ -89,6 +134,7 @@ public:
   StarRequest star(std::size_t request) const;
 
 private:
+  std::optional<std::vector<double>> metDifferences(std::size_t request, double value) const;
   std::vector<double> wantedDifferences(const CriticalRequest& request) const;
 
   const PointsRef& vertices_;
@@ -109,22 +155,32 @@ std::vector<double> SecondPass::wantedDifferences(const CriticalRequest& request
     { request.vertex, request.type, request.multiplicity, curvature, offsets });
 }
 
+/// Those of the field, if it is what is asked for by more than rounding errors.
+std::optional<std::vector<double>> SecondPass::metDifferences(
+  std::size_t request, double value) const
+{
+  const double least = Rounding * (this->chosen_.highest - this->chosen_.lowest);
+  std::vector<double> result;
+  bool isMet = this->met_[request] != 0;
+  for (const Index neighbor : this->mesh_.link(this->requests_[request].vertex))
+  {
+    result.push_back(this->field_[neighbor] - value);
+    isMet = isMet && std::abs(result.back()) > least;
+  }
+  return isMet ? std::make_optional(result) : std::nullopt;
+}
+
 StarRequest SecondPass::star(std::size_t i) const
 {
   const CriticalRequest& request = this->requests_[i];
   const double value =
     this->chosen_.values[i] ? *this->chosen_.values[i] : this->field_[request.vertex];
   StarRequest result{ request.vertex, request.type, request.multiplicity, value, request.star };
-  if (isFree(request) && this->met_[i] == 0)
-  {
-    result.differences = this->wantedDifferences(request);
-    return result;
-  }
   if (isFree(request))
   {
-    const VertexRange link = this->mesh_.link(request.vertex);
-    std::transform(link.begin(), link.end(), std::back_inserter(result.differences),
-      [&](Index neighbor) { return this->field_[neighbor]; });
+    const auto met = this->metDifferences(i, value);
+    result.differences = met ? *met : this->wantedDifferences(request);
+    return result;
   }
   for (double& difference : result.differences)
   {
@@ -150,37 +206,8 @@ std::vector<char> areMet(const VertexTypes& types, const std::vector<CriticalReq
 
 DesignValues designValues(const MeshTopology& mesh, const std::vector<CriticalRequest>& requests)
 {
-  DesignValues result{ std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity(), {} };
-  bool isLowestMinimum = true;
-  bool isHighestMaximum = true;
-  for (const CriticalRequest& request : requests)
-  {
-    if (request.value && *request.value <= result.lowest)
-    {
-      isLowestMinimum = request.type == CriticalType::Minimum;
-      result.lowest = *request.value;
-    }
-    if (request.value && *request.value >= result.highest)
-    {
-      isHighestMaximum = request.type == CriticalType::Maximum;
-      result.highest = *request.value;
-    }
-  }
-  if (result.lowest > result.highest) // none is given
-  {
-    result.lowest = 0.0;
-    result.highest = 1.0;
-  }
-  else
-  {
-    const double range = result.highest - result.lowest;
-    const double step = range > 0.0 ? range : std::max(1.0, std::abs(range));
-    result.lowest -= isLowestMinimum ? 0.0 : step;
-    result.highest += isHighestMaximum ? 0.0 : step;
-  }
-
-  std::vector<char> isKnown(mesh.componentCount(), 0);
+  DesignValues result = givenRange(requests);
+  std::vector<ValueRange> known(mesh.componentCount());
   for (const CriticalRequest& request : requests)
   {
     result.values.push_back(request.value);
@@ -188,11 +215,14 @@ DesignValues designValues(const MeshTopology& mesh, const std::vector<CriticalRe
     {
       result.values.back() = request.type == CriticalType::Minimum ? result.lowest : result.highest;
     }
-    isKnown[mesh.component(request.vertex)] |= result.values.back() ? 1 : 0;
+    if (result.values.back())
+    {
+      known[mesh.component(request.vertex)].add(*result.values.back());
+    }
   }
   for (std::size_t i = 0; i < requests.size(); ++i)
   {
-    if (isKnown[mesh.component(requests[i].vertex)] == 0)
+    if (!result.values[i] && known[mesh.component(requests[i].vertex)].isFlat())
     {
       result.values[i] = 0.5 * (result.lowest + result.highest);
     }

@@ -18,9 +18,9 @@ struct DesignValues
 };
 
 /**
- * Minima and maxima without a value get one below, or above, all given values: 0 and 1 if none is
- * given. Where a component of the mesh has saddles only, and none has a value, they are half way
- * between.
+ * Minima and maxima without a value get one below, or above, all given values that are none of
+ * theirs: 0 and 1 if none is given. Where that leaves a component of the mesh without two different
+ * values, saddles there are half way between.
  */
 DesignValues designValues(const MeshTopology& mesh, const std::vector<CriticalRequest>& requests);
 

@@ -56,6 +56,9 @@ Solution withEpsilon(const DesignParameters& parameters, const CurveOf& curveOf)
   if (parameters.epsilonChoice != EpsilonChoice::Manual)
   {
     solution.curve = curveOf();
+  }
+  if (solution.curve.epsilons.size() > 0)
+  {
     solution.epsilon = chooseEpsilon(solution.curve, parameters.epsilonChoice);
   }
   return solution;

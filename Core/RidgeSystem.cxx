@@ -30,6 +30,11 @@ RidgeSystem::RidgeSystem(const Eigen::MatrixXd& energies, const Eigen::MatrixXd&
 {
   const Eigen::MatrixXd root = Eigen::LLT<Eigen::MatrixXd>(metric).matrixL();
   const Eigen::MatrixXd basis = root * orthogonalComplement(root.transpose() * free);
+  if (basis.cols() == 0) // P interpolates
+  {
+    this->directions_ = basis;
+    return;
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(basis.transpose() * energies * basis);
   this->directions_ = basis * eigen.eigenvectors();
   this->energies_ = eigen.eigenvalues().cwiseMax(0.0);
@@ -45,7 +50,11 @@ Values RidgeSystem::multipliers(double weight) const
 ParameterCurve RidgeSystem::curve(double unit) const
 {
   ParameterCurve result;
-  const double largest = this->energies_.maxCoeff();
+  const double largest = this->energies_.size() > 0 ? this->energies_.maxCoeff() : 0.0;
+  if (!(largest > 0.0 && std::isfinite(largest)))
+  {
+    return result;
+  }
   const double least = std::max(this->energies_.minCoeff(), LeastEnergyRatio * largest);
   const double first = std::log10(0.1 / largest);
   const double last = std::log10(10.0 / least);

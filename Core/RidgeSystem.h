@@ -15,14 +15,15 @@ class RidgeSystem
 {
 public:
   /// @param energies G, positive semidefinite where P^T lambda = 0
-  /// @param free P, of independent columns, fewer than rows
+  /// @param free P, of independent columns
   /// @param metric W, positive definite
   RidgeSystem(const Eigen::MatrixXd& energies, const Eigen::MatrixXd& free,
     const Eigen::MatrixXd& metric, const Values& values);
 
   Values multipliers(double weight) const; ///< lambda, for t
 
-  /// For all t = epsilon * unit between least energy and interpolation.
+  /// For all t = epsilon * unit between least energy and interpolation; empty if nothing, or
+  /// nothing finite, has an energy.
   ParameterCurve curve(double unit) const;
 
 private:

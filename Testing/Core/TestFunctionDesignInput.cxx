@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -105,10 +106,27 @@ TEST(FunctionDesignInput, refusesParameters)
   EXPECT_THAT(refusal(mesh, requests, parameters), HasSubstr("condition"));
 }
 
-// One point, one type, values that say nothing: a function all the same.
+/// The least difference between a requested vertex and its neighbors.
+double leastDifference(
+  const MeshTopology& mesh, const Values& values, const std::vector<CriticalRequest>& requests)
+{
+  double least = INFINITY;
+  for (const CriticalRequest& request : requests)
+  {
+    for (const Index neighbor : mesh.link(request.vertex))
+    {
+      least = std::min(least, std::abs(values[neighbor] - values[request.vertex]));
+    }
+  }
+  return least;
+}
+
+// One point, one type, values that say nothing: a function all the same, in which what is asked for
+// is more than ties and rounding errors, though the first pass is constant.
 TEST(FunctionDesignInput, takesLittle)
 {
   const TriangleMesh mesh = plateWithHoles(1, 2);
+  const DesignMesh design(mesh.points, trianglesOf(mesh));
   for (const auto approach : { DesignApproach::MeshBased, DesignApproach::Meshless })
   {
     DesignParameters parameters;
@@ -117,16 +135,40 @@ TEST(FunctionDesignInput, takesLittle)
     {
       for (const std::size_t count : { 1U, 2U, 4U })
       {
-        std::vector<CriticalRequest> requests;
+        std::vector<CriticalRequest> requests{ asked(200, Saddle) };
         for (std::size_t i = 0; i < count; ++i)
         {
-          requests.push_back(asked(static_cast<Index>(30 + 50 * i), type));
+          requests.push_back(asked(static_cast<Index>(30 + 30 * i), type));
         }
-        const DesignMesh design(mesh.points, trianglesOf(mesh));
         const DesignedFunction result = designFunction(design, requests, parameters);
         EXPECT_TRUE(result.missing.empty());
-        EXPECT_TRUE(result.values.allFinite());
+        EXPECT_GT(leastDifference(design.topology(), result.values, requests), 1e-9);
       }
+    }
+  }
+}
+
+// Four centers are interpolated by the linear polynomial alone: least squares has nothing to
+// choose.
+TEST(FunctionDesignInput, takesTetrahedra)
+{
+  const TriangleMesh mesh{ (Points(3, 4) << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished(),
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } } };
+  DesignParameters parameters;
+  parameters.approach = DesignApproach::Meshless;
+  parameters.constraints = DesignConstraints::LeastSquares;
+  const DesignMesh design(mesh.points, trianglesOf(mesh));
+  EXPECT_TRUE(designFunction(design, { asked(0, Maximum) }, parameters).missing.empty());
+  parameters.kernel = KernelType::Gaussian;
+  for (const double width : { 1e-200, 1e200 })
+  {
+    parameters.kernelWidth = width;
+    try
+    {
+      EXPECT_TRUE(designFunction(design, { asked(0, Maximum) }, parameters).values.allFinite());
+    }
+    catch (const Error&)
+    {
     }
   }
 }
