@@ -142,6 +142,21 @@ TEST(ScalarFunctionDesign, meetsGivenValues)
   EXPECT_NEAR(values(24), -2.0, 1e-9);
 }
 
+// Without any pit, and with neighbors that peaks and pass share, the pass is below the peaks.
+TEST(ScalarFunctionDesign, placesPassesBelowPeaks)
+{
+  for (const int approach : { 0, 1 })
+  {
+    const auto filter = design(
+      plainTorus(), { { torusPlace(0, 0), 3 }, { torusPlace(4, 0), 3 }, { torusPlace(2, 0), 1 } });
+    filter->SetApproach(approach);
+    ASSERT_TRUE(update(filter).succeeded);
+    EXPECT_THAT(fieldData(filter, "Missing"), ElementsAre(0));
+    EXPECT_LE(designedValues(filter)(2), 0.95);
+    EXPECT_NEAR(designedValues(filter)(0), 1.0, 1e-12);
+  }
+}
+
 // Points go to the nearest vertex. Those of several blocks, of other cells or number types are the
 // same points.
 TEST(ScalarFunctionDesign, takesPointsOfAnyKind)
