@@ -18,6 +18,9 @@ namespace
 /// least, where it would be flat.
 constexpr double LeastCurvature = 0.1;
 constexpr double Rounding = 1e-9; // of the values' range: what solvers may add
+/// Of the range, from its ends: where a saddle is chosen for which the first pass, which may
+/// overshoot, has a value outside. A pass is not to be above all peaks.
+constexpr double SaddleMargin = 0.05;
 
 /// Offsets to all others from one.
 std::vector<Vector3d> offsetsFrom(const PointsRef& vertices,
@@ -134,6 +137,7 @@ public:
   StarRequest star(std::size_t request) const;
 
 private:
+  double value(std::size_t request) const;
   std::optional<std::vector<double>> metDifferences(std::size_t request, double value) const;
   std::vector<double> wantedDifferences(const CriticalRequest& request) const;
 
@@ -155,13 +159,26 @@ std::vector<double> SecondPass::wantedDifferences(const CriticalRequest& request
     { request.vertex, request.type, request.multiplicity, curvature, offsets });
 }
 
+double SecondPass::value(std::size_t request) const
+{
+  const auto& [lowest, highest, values] = this->chosen_;
+  if (values[request])
+  {
+    return *values[request];
+  }
+  const double value = this->field_[this->requests_[request].vertex];
+  const double margin = SaddleMargin * (highest - lowest);
+  return value > lowest && value < highest ? value
+                                           : std::clamp(value, lowest + margin, highest - margin);
+}
+
 /// Those of the field, if it is what is asked for by more than rounding errors.
 std::optional<std::vector<double>> SecondPass::metDifferences(
   std::size_t request, double value) const
 {
   const double least = Rounding * (this->chosen_.highest - this->chosen_.lowest);
   std::vector<double> result;
-  bool isMet = this->met_[request] != 0;
+  bool isMet = this->met_[request] != 0 && value == this->field_[this->requests_[request].vertex];
   for (const Index neighbor : this->mesh_.link(this->requests_[request].vertex))
   {
     result.push_back(this->field_[neighbor] - value);
@@ -173,8 +190,7 @@ std::optional<std::vector<double>> SecondPass::metDifferences(
 StarRequest SecondPass::star(std::size_t i) const
 {
   const CriticalRequest& request = this->requests_[i];
-  const double value =
-    this->chosen_.values[i] ? *this->chosen_.values[i] : this->field_[request.vertex];
+  const double value = this->value(i);
   StarRequest result{ request.vertex, request.type, request.multiplicity, value, request.star };
   if (isFree(request))
   {
