@@ -13,6 +13,9 @@ namespace SurfaceScalars
 namespace
 {
 
+/// Vertices with a value: the systems are dense, their decompositions take seconds.
+constexpr std::size_t MostConstraints = 3000;
+
 void checkRequest(const MeshTopology& mesh, const CriticalRequest& request, const std::string& name)
 {
   require(request.vertex < mesh.vertexCount(),
@@ -65,6 +68,7 @@ void checkRequests(
     "Choose points with a CriticalType, or a template function.");
   std::map<Index, std::size_t> known;
   std::vector<char> isAsked(topology.componentCount(), 0);
+  std::size_t constraintCount = 0;
   for (std::size_t i = 0; i < requests.size(); ++i)
   {
     checkRequest(topology, requests[i], nameOf(i));
@@ -74,7 +78,13 @@ void checkRequests(
         std::to_string(nameOfVertex(requests[i].vertex, mesh.nameOf())),
       "Remove one of them, or move it by an edge or more.");
     isAsked[topology.component(requests[i].vertex)] = 1;
+    constraintCount += 1 + topology.link(requests[i].vertex).size();
   }
+  require(constraintCount <= MostConstraints,
+    "critical points that have, with their neighbors, at most " + std::to_string(MostConstraints) +
+      " vertices",
+    std::to_string(requests.size()) + " with " + std::to_string(constraintCount),
+    "Raise PersistenceThreshold, or choose fewer points.");
   for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
   {
     require(isAsked[topology.component(vertex)] != 0,

@@ -75,7 +75,8 @@ Solution solveOnMesh(const DesignMesh& mesh, const Constraints& constraints,
   {
     return { leastEnergyThrough(functions, known, execution.part(0.9, 1.0)), 0.0, {} };
   }
-  const LeastEnergyNear near(functions, known, mesh.metric(parameters.metric, execution));
+  const LeastEnergyNear near(
+    functions, known, mesh.metric(parameters.metric, execution), execution.part(0.9, 0.95));
   const double area = mesh.area(execution);
   const double unit =
     parameters.energy == SmoothingEnergy::Biharmonic ? 1.0 / (area * area) : 1.0 / area;

@@ -1,5 +1,6 @@
 #include "LeastEnergy.h"
 
+#include "Background.h"
 #include "ConstrainedVertices.h"
 #include "Error.h"
 #include "NumberText.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -83,15 +85,19 @@ EnergyConstraints energyConstraints(GreensFunctions& functions,
 Values leastEnergyThrough(const GreensFunctions& functions, const EnergyConstraints& constraints,
   const Execution& execution)
 {
-  const Eigen::MatrixXd basis = orthogonalComplement(constraints.constants);
-  const Eigen::LLT<Eigen::MatrixXd> energies(basis.transpose() * constraints.energies * basis);
+  const auto [basis, energies] = inBackground(execution.part(0.0, 0.2),
+    [all = constraints.energies, constants = constraints.constants]()
+    {
+      const Eigen::MatrixXd free = orthogonalComplement(constants);
+      return std::make_pair(free, Eigen::LLT<Eigen::MatrixXd>(free.transpose() * all * free));
+    });
   Values lambda = Values::Zero(constraints.values.size());
   Values missed = constraints.values;
   Values result;
   double error = 1.0;
   for (int i = 0; i < MostCorrections && error > Goal; ++i)
   {
-    execution.report(static_cast<double>(i) / MostCorrections);
+    execution.report(0.2 + 0.8 * i / MostCorrections);
     lambda += basis * energies.solve(basis.transpose() * missed);
     result = withConstants(functions, constraints, lambda, constraints.constants);
     missed = result(constraints.vertices);
@@ -110,11 +116,13 @@ Values leastEnergyThrough(const GreensFunctions& functions, const EnergyConstrai
 }
 
 LeastEnergyNear::LeastEnergyNear(const GreensFunctions& functions,
-  const EnergyConstraints& constraints, const Eigen::SparseMatrix<double>& metric)
+  const EnergyConstraints& constraints, const Eigen::SparseMatrix<double>& metric,
+  const Execution& execution)
   : functions_(functions)
   , constraints_(constraints)
   , metric_(block(metric, constraints.vertices))
-  , system_(constraints.energies, constraints.constants, this->metric_, constraints.values)
+  , system_(ridgeSystem(
+      constraints.energies, constraints.constants, this->metric_, constraints.values, execution))
 {
 }
 

@@ -48,9 +48,9 @@ class SURFACESCALARSCORE_EXPORT LeastEnergyNear
 {
 public:
   /// @param metric W, of all vertices; positive definite
-  /// @param functions outlives this, as do the constraints
+  /// @param functions outlives this, as do the constraints @throws Aborted
   LeastEnergyNear(const GreensFunctions& functions, const EnergyConstraints& constraints,
-    const Eigen::SparseMatrix<double>& metric);
+    const Eigen::SparseMatrix<double>& metric, const Execution& execution = {});
 
   ParameterCurve curve(double unit) const; ///< for all t = epsilon * unit
   Values solve(double weight) const;       ///< for t

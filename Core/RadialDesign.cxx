@@ -151,16 +151,16 @@ ParameterCurve RadialDesign::curve(
   const std::vector<ValueConstraint>& constraints, const Execution& execution) const
 {
   const double width =
-    this->field(constraints, LeastRidge, execution).model().parameters.kernelWidth;
+    this->field(constraints, LeastRidge, execution.part(0.0, 0.5)).model().parameters.kernelWidth;
   const RadialKernel kernel(this->kernel_, width);
   const Points centers = centersOf(this->mesh_.vertices(), constraints);
   const Eigen::Index count = centers.cols();
   const Eigen::MatrixXd energies = Eigen::MatrixXd::NullaryExpr(count, count,
     [&](Eigen::Index i, Eigen::Index j)
     { return kernel.sign() * kernel.value((centers.col(i) - centers.col(j)).norm()); });
-  const RidgeSystem system(energies, LinearTerms(centers).at(centers),
-    Eigen::MatrixXd::Identity(count, count), valuesOf(constraints));
-  return system.curve(1.0);
+  return ridgeSystem(energies, LinearTerms(centers).at(centers),
+    Eigen::MatrixXd::Identity(count, count), valuesOf(constraints), execution.part(0.5, 1.0))
+    .curve(1.0);
 }
 
 } // namespace SurfaceScalars

@@ -1,5 +1,6 @@
 #include "RidgeSystem.h"
 
+#include "Background.h"
 #include "LCurve.h"
 
 #include <Eigen/Cholesky>
@@ -39,6 +40,13 @@ RidgeSystem::RidgeSystem(const Eigen::MatrixXd& energies, const Eigen::MatrixXd&
   this->directions_ = basis * eigen.eigenvectors();
   this->energies_ = eigen.eigenvalues().cwiseMax(0.0);
   this->data_ = this->directions_.transpose() * values;
+}
+
+RidgeSystem ridgeSystem(const Eigen::MatrixXd& energies, const Eigen::MatrixXd& free,
+  const Eigen::MatrixXd& metric, const Values& values, const Execution& execution)
+{
+  return inBackground(execution,
+    [energies, free, metric, values]() { return RidgeSystem(energies, free, metric, values); });
 }
 
 Values RidgeSystem::multipliers(double weight) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Basics.h"
+#include "Execution.h"
 #include "ParameterCurve.h"
 
 namespace SurfaceScalars
@@ -31,6 +32,11 @@ private:
   Values energies_;            ///< G of these
   Values data_;                ///< the values in these
 };
+
+/// The same while an abort is listened to: the decomposition takes seconds for thousands of values.
+/// @throws Aborted
+RidgeSystem ridgeSystem(const Eigen::MatrixXd& energies, const Eigen::MatrixXd& free,
+  const Eigen::MatrixXd& metric, const Values& values, const Execution& execution);
 
 /// An orthonormal basis of what is orthogonal to the independent columns of a matrix.
 Eigen::MatrixXd orthogonalComplement(const Eigen::MatrixXd& columns);

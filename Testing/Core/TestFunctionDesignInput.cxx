@@ -43,6 +43,21 @@ CriticalRequest asked(Index vertex, CriticalType type, int multiplicity, double 
   return { vertex, type, multiplicity, value, {} };
 }
 
+/// The least difference between a requested vertex and its neighbors.
+double leastDifference(
+  const MeshTopology& mesh, const Values& values, const std::vector<CriticalRequest>& requests)
+{
+  double least = INFINITY;
+  for (const CriticalRequest& request : requests)
+  {
+    for (const Index neighbor : mesh.link(request.vertex))
+    {
+      least = std::min(least, std::abs(values[neighbor] - values[request.vertex]));
+    }
+  }
+  return least;
+}
+
 constexpr auto Minimum = CriticalType::Minimum;
 constexpr auto Saddle = CriticalType::Saddle;
 constexpr auto Maximum = CriticalType::Maximum;
@@ -73,6 +88,29 @@ TEST(FunctionDesignInput, refusesImpossibleRequests)
   EXPECT_THAT(refusal(mesh, { asked(20, Maximum, 1, 1.0), asked(next, Minimum, 1, 2.0) }),
     AllOf(HasSubstr("critical point 0"), HasSubstr("critical point 1"), HasSubstr("of value 2")));
   EXPECT_EQ(refusal(mesh, { asked(20, Maximum, 1, 2.0), asked(next, Minimum, 1, 1.0) }), "taken");
+
+  // More than dense systems have room for.
+  const TriangleMesh fine = subdividedSphere(5);
+  std::vector<CriticalRequest> many;
+  for (Index vertex = 0; vertex < 500; ++vertex)
+  {
+    many.push_back(asked(vertex, Saddle));
+  }
+  EXPECT_THAT(refusal(fine, many), HasSubstr("at most 3000 vertices, found 500 with 3"));
+}
+
+// One point alone has nothing around it to take a shape from.
+TEST(FunctionDesignInput, makesOnePointCritical)
+{
+  const TriangleMesh mesh = subdividedSphere(4);
+  const DesignMesh design(mesh.points, trianglesOf(mesh));
+  for (const auto type : { Minimum, Saddle, Maximum })
+  {
+    const std::vector<CriticalRequest> requests{ asked(77, type) };
+    const Values values = designFunction(design, requests, {}).values;
+    EXPECT_GT(leastDifference(design.topology(), values, requests), 1e-9);
+    EXPECT_GT(values.maxCoeff() - values.minCoeff(), 1e-5);
+  }
 }
 
 TEST(FunctionDesignInput, namesComponentsWithoutRequests)
@@ -104,21 +142,6 @@ TEST(FunctionDesignInput, refusesParameters)
   parameters.kernel = KernelType::Gaussian;
   parameters.kernelWidth = 1e3;
   EXPECT_THAT(refusal(mesh, requests, parameters), HasSubstr("condition"));
-}
-
-/// The least difference between a requested vertex and its neighbors.
-double leastDifference(
-  const MeshTopology& mesh, const Values& values, const std::vector<CriticalRequest>& requests)
-{
-  double least = INFINITY;
-  for (const CriticalRequest& request : requests)
-  {
-    for (const Index neighbor : mesh.link(request.vertex))
-    {
-      least = std::min(least, std::abs(values[neighbor] - values[request.vertex]));
-    }
-  }
-  return least;
 }
 
 // One point, one type, values that say nothing: a function all the same, in which what is asked for
