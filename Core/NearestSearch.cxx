@@ -86,10 +86,11 @@ void NearestSearch::gather(const Vector3d& center, double extent)
     this->squaredDistances_.resize(2 * count);
     this->near_.resize(2 * this->candidates_.size());
   }
+  const Points& points = this->cloud_.points();
   for (Eigen::Index i = 0; i < count; ++i)
   {
     this->coordinates_.row(i) =
-      this->cloud_.points().col(this->candidates_[static_cast<std::size_t>(i)]).transpose();
+      points.col(this->candidates_[static_cast<std::size_t>(i)]).transpose();
   }
 }
 

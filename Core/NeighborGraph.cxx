@@ -62,11 +62,6 @@ NeighborGraph::NeighborGraph(
   this->measureSteps(execution);
 }
 
-std::size_t NeighborGraph::begin(Index point) const
-{
-  return this->offsets_.empty() ? point * this->count_ : this->offsets_[point];
-}
-
 void NeighborGraph::linkNearest(const Execution& execution)
 {
   const std::size_t points = this->pointCount();
@@ -146,12 +141,6 @@ void NeighborGraph::measureSteps(const Execution& execution)
     });
   this->medianStep_ =
     medianOfSome(this->steps_.size(), [this](std::size_t i) { return this->steps_[i]; });
-}
-
-Neighbors NeighborGraph::neighbors(Index point) const
-{
-  const Index* indices = this->indices_.data();
-  return { indices + this->begin(point), indices + this->begin(point + 1) };
 }
 
 bool NeighborGraph::isEdge(Index from, Index to) const

@@ -43,14 +43,21 @@ public:
   NeighborGraph(
     const PointsRef& points, const NeighborQuery& query, const Execution& execution = {});
 
-  Neighbors neighbors(Index point) const;
+  Neighbors neighbors(Index point) const
+  {
+    const Index* indices = this->indices_.data();
+    return { indices + this->begin(point), indices + this->begin(point + 1) };
+  }
   bool isEdge(Index from, Index to) const; ///< whether `to` is stored as neighbor of `from`
 
   double samplingStep(Index point) const; ///< 1 / sqrt(density), density = k / (pi sigma_k^2)
   double medianSamplingStep() const;      ///< the paper's epsilon, as a length
 
 private:
-  std::size_t begin(Index point) const;
+  std::size_t begin(Index point) const
+  {
+    return this->offsets_.empty() ? point * this->count_ : this->offsets_[point];
+  }
   void linkNearest(const Execution& execution);
   void linkWithin(const Execution& execution);
   double measureStep(Index point) const;

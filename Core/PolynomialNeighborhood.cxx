@@ -108,6 +108,7 @@ void PolynomialNeighborhood::gatherNearest(const Vector3d& place, int count)
 
 void PolynomialNeighborhood::copySamples()
 {
+  const Points& points = this->cloud_.points();
   const auto count = static_cast<Eigen::Index>(this->near_.indices.size());
   this->weighted_.points.resize(3, count);
   this->weighted_.values.setZero(count);
@@ -115,7 +116,7 @@ void PolynomialNeighborhood::copySamples()
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const Index sample = this->near_.indices[static_cast<std::size_t>(i)];
-    this->weighted_.points.col(i) = this->cloud_.points().col(sample);
+    this->weighted_.points.col(i) = points.col(sample);
     if (this->values_.size() > 0)
     {
       this->weighted_.values[i] = this->values_[sample];
