@@ -125,17 +125,7 @@ bool LocalFit::compute(
   {
     return false;
   }
-  switch (this->degree_)
-  {
-    case 1:
-      return this->solve<1>();
-    case 2:
-      return this->solve<2>();
-    case 3:
-      return this->solve<3>();
-    default:
-      return this->solve<4>();
-  }
+  return withDegree(this->degree_, [this](auto constant) { return this->solve<constant>(); });
 }
 
 void LocalFit::collect(const WeightedSamples& samples)

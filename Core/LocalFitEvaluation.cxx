@@ -10,51 +10,79 @@
 namespace SurfaceScalars
 {
 
-LocalFit::Jet LocalFit::jet(int which, const Vector2d& uv) const
+namespace
 {
-  double terms[MaximumTerms];
-  monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
-  const auto c = this->coefficients_.col(which);
-  Jet jet{ this->slope(which, uv), Eigen::Matrix2d::Zero() };
-  for (int d = 2; d <= this->degree_; ++d)
+
+/// The following are in coordinates divided by the scale.
+template <int Degree>
+LocalFit::Slope slopeOf(const double* coefficients, const double* terms)
+{
+  LocalFit::Slope slope{ coefficients[0], Vector2d::Zero() };
+  for (int d = 1; d <= Degree; ++d)
+  {
+    const double* c = coefficients + firstTerm(d);
+    const double* current = terms + firstTerm(d);
+    const double* lower = terms + firstTerm(d - 1);
+    slope.value += c[d] * current[d];
+    for (int y = 0; y < d; ++y)
+    {
+      slope.value += c[y] * current[y];
+      // x^(d-y) y^y derives to terms of degree d - 1.
+      slope.gradient.x() += c[y] * (d - y) * lower[y];
+      slope.gradient.y() += c[y + 1] * (y + 1) * lower[y];
+    }
+  }
+  return slope;
+}
+
+template <int Degree>
+Eigen::Matrix2d hessianOf(const double* coefficients, const double* terms)
+{
+  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+  for (int d = 2; d <= Degree; ++d)
   {
     const double* lower = terms + firstTerm(d - 2);
     for (int y = 0; y <= d; ++y)
     {
-      const double coefficient = c[firstTerm(d) + y];
+      const double c = coefficients[firstTerm(d) + y];
       const int x = d - y;
-      jet.hessian(0, 0) += x > 1 ? coefficient * x * (x - 1) * lower[y] : 0.0;
-      jet.hessian(0, 1) += x > 0 && y > 0 ? coefficient * x * y * lower[y - 1] : 0.0;
-      jet.hessian(1, 1) += y > 1 ? coefficient * y * (y - 1) * lower[y - 2] : 0.0;
+      hessian(0, 0) += x > 1 ? c * x * (x - 1) * lower[y] : 0.0;
+      hessian(0, 1) += x > 0 && y > 0 ? c * x * y * lower[y - 1] : 0.0;
+      hessian(1, 1) += y > 1 ? c * y * (y - 1) * lower[y - 2] : 0.0;
     }
   }
-  jet.hessian /= this->scale_ * this->scale_;
-  jet.hessian(1, 0) = jet.hessian(0, 1);
-  return jet;
+  hessian(1, 0) = hessian(0, 1);
+  return hessian;
+}
+
+} // namespace
+
+LocalFit::Jet LocalFit::jet(int which, const Vector2d& uv) const
+{
+  return withDegree(this->degree_,
+    [&](auto degree)
+    {
+      const double* coefficients = this->coefficients_.col(which).data();
+      double terms[MaximumTerms];
+      monomials(degree, uv.x() / this->scale_, uv.y() / this->scale_, terms);
+      Jet jet{ slopeOf<degree>(coefficients, terms), hessianOf<degree>(coefficients, terms) };
+      jet.gradient /= this->scale_;
+      jet.hessian /= this->scale_ * this->scale_;
+      return jet;
+    });
 }
 
 LocalFit::Slope LocalFit::slope(int which, const Vector2d& uv) const
 {
-  double terms[MaximumTerms];
-  monomials(this->degree_, uv.x() / this->scale_, uv.y() / this->scale_, terms);
-  const double* c = this->coefficients_.col(which).data();
-  Slope slope{ c[0], Vector2d::Zero() };
-  for (int d = 1; d <= this->degree_; ++d)
-  {
-    const double* coefficients = c + firstTerm(d);
-    const double* current = terms + firstTerm(d);
-    const double* lower = terms + firstTerm(d - 1);
-    slope.value += coefficients[d] * current[d];
-    for (int y = 0; y < d; ++y)
+  return withDegree(this->degree_,
+    [&](auto degree)
     {
-      slope.value += coefficients[y] * current[y];
-      // x^(d-y) y^y derives to terms of degree d - 1.
-      slope.gradient.x() += coefficients[y] * (d - y) * lower[y];
-      slope.gradient.y() += coefficients[y + 1] * (y + 1) * lower[y];
-    }
-  }
-  slope.gradient /= this->scale_;
-  return slope;
+      double terms[MaximumTerms];
+      monomials(degree, uv.x() / this->scale_, uv.y() / this->scale_, terms);
+      Slope slope = slopeOf<degree>(this->coefficients_.col(which).data(), terms);
+      slope.gradient /= this->scale_;
+      return slope;
+    });
 }
 
 Vector3d LocalFit::lift(const Vector2d& uv) const

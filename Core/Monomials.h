@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 namespace SurfaceScalars
 {
 
@@ -22,6 +24,23 @@ inline void monomials(int degree, double x, double y, double* terms)
       current[k] = x * lower[k];
     }
     current[d] = y * lower[d - 1];
+  }
+}
+
+/// Calls body with the degree, 1 to 4, as a constant: loops over terms are unrolled.
+template <class Body>
+auto withDegree(int degree, const Body& body)
+{
+  switch (degree)
+  {
+    case 1:
+      return body(std::integral_constant<int, 1>());
+    case 2:
+      return body(std::integral_constant<int, 2>());
+    case 3:
+      return body(std::integral_constant<int, 3>());
+    default:
+      return body(std::integral_constant<int, 4>());
   }
 }
 
