@@ -68,6 +68,40 @@ SaddlePersistence::Sectors SaddlePersistence::sectorsOf(
   return sectors;
 }
 
+/// Steps to the largest sample, or to the least for sign -1, of those that one open neighbor lies
+/// between: past extrema of single edges.
+template <class Predicate>
+Index SaddlePersistence::climb(Index sample, double sign, const Predicate& isOpen) const
+{
+  Index next = sample;
+  do
+  {
+    sample = next;
+    for (const Index between : this->graph_.neighbors(sample))
+    {
+      if (isOpen(between))
+      {
+        for (const Index end : this->graph_.neighbors(between))
+        {
+          const bool isFarther = sign * (this->values_[end] - this->values_[next]) > 0.0;
+          next = isFarther && isOpen(end) ? end : next;
+        }
+      }
+    }
+  } while (next != sample);
+  return sample;
+}
+
+/// Whether the ways up from both ends, or down for sign -1, lead to one extremum: whether there is
+/// a path, known without a search, or nothing is known.
+template <class Predicate>
+bool SaddlePersistence::shareExtremum(
+  const Sectors& ends, double sign, const Predicate& isOpen) const
+{
+  return this->climb(ends.first.front(), sign, isOpen) ==
+    this->climb(ends.second.front(), sign, isOpen);
+}
+
 /// Through open points, from both ends by turns: in the time that the lesser of two components
 /// takes if there is no path.
 template <class Predicate>
@@ -151,18 +185,6 @@ double SaddlePersistence::extent(const Samples& samples, double value, double si
   return largest;
 }
 
-/// From one sector to the other, above the saddle or below for sign -1, not through the saddle.
-SaddlePersistence::Connection SaddlePersistence::close(
-  const Sectors& loop, const Samples& center, double value, double sign)
-{
-  return this->connect(loop,
-    [&](Index sample)
-    {
-      return sign * (this->values_[sample] - value) > 0.0 &&
-        !std::binary_search(center.begin(), center.end(), sample);
-    });
-}
-
 /// What a loop through two sectors cuts off of the sides between, of this sign; infinity if
 /// nothing.
 double SaddlePersistence::cut(const Sectors& loop, const Samples& path, const Sectors& sides,
@@ -193,11 +215,23 @@ double SaddlePersistence::measureAround(const Vector3d& place, double value, dou
   {
     return 0.0;
   }
-  const Connection lower = this->close(below, center, value, -1.0);
-  const Connection upper = this->close(above, center, value, 1.0);
-  if (!lower.path.empty() && !upper.path.empty())
+  // Loops do not pass through the saddle.
+  const auto isOpen = [&](Index sample, double sign)
+  {
+    return sign * (this->values_[sample] - value) > 0.0 &&
+      !std::binary_search(center.begin(), center.end(), sample);
+  };
+  const auto isBelow = [&](Index sample) { return isOpen(sample, -1.0); };
+  const auto isAbove = [&](Index sample) { return isOpen(sample, 1.0); };
+  if (this->shareExtremum(below, -1.0, isBelow) && this->shareExtremum(above, 1.0, isAbove))
   {
     return Infinity; // loops that cut the surface meet twice, these at the saddle only
+  }
+  const Connection lower = this->connect(below, isBelow);
+  const Connection upper = this->connect(above, isAbove);
+  if (!lower.path.empty() && !upper.path.empty())
+  {
+    return Infinity;
   }
   // Sides that are not connected yet end at the saddle.
   const double ofLower = lower.path.empty()

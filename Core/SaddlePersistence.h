@@ -22,7 +22,8 @@ public:
   SaddlePersistence(const NeighborGraph& graph, const ValuesRef& values);
 
   /**
-   * Time O(n) for a handle, else that of the lesser side.
+   * Time O(n) for a handle on which the ways up from the saddle, or down, end at different extrema
+   * of the graph; else that of the ways, or of the lesser side.
    *
    * @param place of the saddle, relative to the graph's origin
    * @param value of f~ there
@@ -51,10 +52,13 @@ private:
 
   Sectors sectorsOf(const Samples& ring, double value, double sign);
   template <class Predicate>
+  Index climb(Index sample, double sign, const Predicate& isOpen) const;
+  template <class Predicate>
+  bool shareExtremum(const Sectors& ends, double sign, const Predicate& isOpen) const;
+  template <class Predicate>
   Connection connect(const Sectors& ends, const Predicate& isOpen);
   int buildWall(const Samples& center, const Sectors& loop, const Samples& path);
   double extent(const Samples& samples, double value, double sign) const;
-  Connection close(const Sectors& loop, const Samples& center, double value, double sign);
   double cut(const Sectors& loop, const Samples& path, const Sectors& sides, const Samples& center,
     double value, double sign);
   double measureAround(const Vector3d& place, double value, double radius);
