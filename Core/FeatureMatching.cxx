@@ -1,6 +1,7 @@
 #include "FeatureMatching.h"
 
-#include "MergeTree.h"
+#include "DisjointSets.h"
+#include "MergeTreesBuilder.h"
 #include "ValueOrder.h"
 
 #include <algorithm>
@@ -136,16 +137,14 @@ std::map<Index, double> rangesOf(
 /// Follows the components of one sweep: they meet matches, named by their places in the list, join,
 /// and extrema end.
 template <class Order, class Matching>
-void sweep(const MeshTopology& mesh, const ValuesRef& values, const Order& isBefore,
-  const std::vector<Index>& matches, Matching& matching, const Poll& poll)
+void sweep(const MergeTree& tree, const ValuesRef& values, const Order& isBefore,
+  const std::vector<Index>& matches, Matching& matching)
 {
-  const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
-  const MergeTree tree = MergeTreeBuilder(mesh.vertexCount(), neighborsOf, isBefore, poll).build();
   std::vector<Index> inOrder(matches.size());
   std::iota(inOrder.begin(), inOrder.end(), Index{ 0 });
   std::sort(inOrder.begin(), inOrder.end(),
     [&](Index a, Index b) { return isBefore(matches[a], matches[b]); });
-  DisjointSets sets(mesh.vertexCount());
+  DisjointSets sets(static_cast<Index>(tree.basins.size()));
   auto next = inOrder.begin();
   const auto meetMatches = [&](const auto& isMet)
   {
@@ -175,16 +174,19 @@ void sweepBoth(const MeshTopology& mesh, const ValuesRef& values, const Extremal
 {
   const ValueOrder isBelow{ values.data() };
   const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
-  parallelForEach(2, execution,
-    [&](std::size_t which, const Poll& poll)
+  const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
+  const MergeTrees trees =
+    MergeTreesBuilder(mesh.vertexCount(), neighborsOf, isBelow, execution.part(0.0, 0.7)).build();
+  parallelForEach(2, execution.part(0.7, 1.0),
+    [&](std::size_t which, const Poll&)
     {
       if (which == 0)
       {
-        sweep(mesh, values, isBelow, matches.minima, ofMinima, poll);
+        sweep(trees.sublevel, values, isBelow, matches.minima, ofMinima);
       }
       else
       {
-        sweep(mesh, values, isAbove, matches.maxima, ofMaxima, poll);
+        sweep(trees.superlevel, values, isAbove, matches.maxima, ofMaxima);
       }
     });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DisjointSets.h"
 #include "MergeTrees.h"
 #include "Persistence.h"
 

@@ -1,6 +1,7 @@
 #include "MeshCriticalPoints.h"
 
 #include "MergeTrees.h"
+#include "MergeTreesBuilder.h"
 #include "MeshValues.h"
 #include "MirroredMesh.h"
 #include "Require.h"
@@ -19,22 +20,31 @@ MergeTrees meshMergeTrees(
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
 {
   const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
-  return mergeTrees(mesh.vertexCount(), neighborsOf, ValueOrder{ values.data() }, execution);
+  const ValueOrder isBelow{ values.data() };
+  return MergeTreesBuilder(mesh.vertexCount(), neighborsOf, isBelow, execution).build();
 }
 
 /// An image comes right after its vertex: what is symmetric remains so.
+struct MirroredOrder
+{
+  const MirroredMesh& mesh;
+  ValueOrder ofOriginals;
+
+  double value(Index vertex) const { return this->ofOriginals.value(this->mesh.original(vertex)); }
+  bool operator()(Index a, Index b) const
+  {
+    const Index first = this->mesh.original(a);
+    const Index second = this->mesh.original(b);
+    return first == second ? a < b : this->ofOriginals(first, second);
+  }
+};
+
 MergeTrees mirroredMergeTrees(
   const MirroredMesh& mirrored, const ValuesRef& values, const Execution& execution)
 {
   const auto neighborsOf = [&](Index vertex) { return mirrored.neighbors(vertex); };
-  const ValueOrder order{ values.data() };
-  const auto isBelow = [&](Index a, Index b)
-  {
-    const Index first = mirrored.original(a);
-    const Index second = mirrored.original(b);
-    return first == second ? a < b : order(first, second);
-  };
-  return mergeTrees(mirrored.count(), neighborsOf, isBelow, execution);
+  const MirroredOrder isBelow{ mirrored, { values.data() } };
+  return MergeTreesBuilder(mirrored.count(), neighborsOf, isBelow, execution).build();
 }
 
 class PairCollector

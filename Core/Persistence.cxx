@@ -1,6 +1,7 @@
 #include "Persistence.h"
 
 #include "MergeTrees.h"
+#include "MergeTreesBuilder.h"
 #include "Require.h"
 #include "ValueOrder.h"
 
@@ -37,7 +38,8 @@ MergeTrees graphMergeTrees(
     std::to_string(values.size()) + " values for " + std::to_string(graph.pointCount()) + " points",
     "Leave points without a value out.");
   const auto neighborsOf = [&](Index point) { return graph.neighbors(point); };
-  return mergeTrees(graph.pointCount(), neighborsOf, ValueOrder{ values.data() }, execution);
+  const ValueOrder isBelow{ values.data() };
+  return MergeTreesBuilder(graph.pointCount(), neighborsOf, isBelow, execution).build();
 }
 
 PersistencePairs pairsOf(const MergeTrees& trees, const ValuesRef& values)

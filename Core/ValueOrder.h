@@ -11,6 +11,8 @@ struct ValueOrder
 {
   const double* values;
 
+  double value(Index vertex) const { return this->values[vertex]; } ///< never falls in this order
+
   bool operator()(Index a, Index b) const
   {
     return this->values[a] < this->values[b] || (this->values[a] == this->values[b] && a < b);

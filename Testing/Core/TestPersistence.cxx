@@ -1,10 +1,11 @@
 #include "CriticalPoints.h"
 #include "Error.h"
 #include "Functions.h"
-#include "MergeTree.h"
+#include "MergeTreesBuilder.h"
 #include "Persistence.h"
 #include "Queries.h"
 #include "Sampling.h"
+#include "ValueOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -303,11 +304,9 @@ std::vector<double> meshPersistences(const SpaceFunction& function, double sign,
     return std::array<Index, 6>{ vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1),
       vertex(i - 1, j), vertex(i - 1, j - 1), vertex(i, j - 1) };
   };
-  const auto isBelow = [&](Index a, Index b)
-  { return values[a] < values[b] || (values[a] == values[b] && a < b); };
-  const Poll poll = []() {};
+  const ValueOrder isBelow{ values.data() };
   const MergeTree tree =
-    MergeTreeBuilder(static_cast<Index>(values.size()), neighborsOf, isBelow, poll).build();
+    MergeTreesBuilder(static_cast<Index>(values.size()), neighborsOf, isBelow, {}).build().sublevel;
   std::vector<double> result;
   for (const Merge& merge : tree.merges)
   {
