@@ -20,6 +20,11 @@ namespace
 
 constexpr std::size_t Grain = 1 << 14; // points per block of a parallel loop
 
+Eigen::Map<Points> asPoints(vtkDoubleArray* array)
+{
+  return { array->GetPointer(0), 3, array->GetNumberOfTuples() };
+}
+
 } // namespace
 
 void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& map,
@@ -31,24 +36,38 @@ void writeSampleCriticality(const SampleCriticality& samples, const VertexMap& m
   const auto gradients = makeDoubles("Gradient", count, 3);
   const auto normals = makeDoubles("Normals", count, 3);
   const auto types = makeInts("CriticalType", count);
+  Eigen::Map<Points> gradientAt = asPoints(gradients);
+  Eigen::Map<Points> normalAt = asPoints(normals);
   const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  const auto write = [&](vtkIdType point)
+  // One array after the other: samples lie in another order than points, and more accesses to one
+  // array wait for memory at a time than to four.
+  const auto write = [&](double from, double to, const auto& writePoint)
   {
-    const Index vertex = map.vertexOf(point);
-    const bool isThere = vertex != VertexMap::None;
-    probabilities->SetValue(point, isThere ? samples.probability(vertex) : none.x());
-    gradients->SetTypedTuple(point, isThere ? samples.gradient.col(vertex).data() : none.data());
-    normals->SetTypedTuple(point, isThere ? samples.normal.col(vertex).data() : none.data());
-    types->SetValue(
-      point, static_cast<int>(isThere ? samples.type[vertex] : CriticalType::Excluded));
-  };
-  parallelFor(static_cast<std::size_t>(count), Grain, execution,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (auto point = static_cast<vtkIdType>(begin); point < static_cast<vtkIdType>(end); ++point)
+    parallelFor(static_cast<std::size_t>(count), Grain, execution.part(from, to),
+      [&](std::size_t begin, std::size_t end)
       {
-        write(point);
-      }
+        for (auto point = static_cast<vtkIdType>(begin); point < static_cast<vtkIdType>(end);
+             ++point)
+        {
+          const Index vertex = map.vertexOf(point);
+          writePoint(point, vertex, vertex != VertexMap::None);
+        }
+      });
+  };
+  write(0.0, 0.2,
+    [&](vtkIdType point, Index vertex, bool isThere)
+    { probabilities->SetValue(point, isThere ? samples.probability(vertex) : none.x()); });
+  write(0.2, 0.5,
+    [&](vtkIdType point, Index vertex, bool isThere)
+    { gradientAt.col(point) = isThere ? Vector3d(samples.gradient.col(vertex)) : none; });
+  write(0.5, 0.8,
+    [&](vtkIdType point, Index vertex, bool isThere)
+    { normalAt.col(point) = isThere ? Vector3d(samples.normal.col(vertex)) : none; });
+  write(0.8, 1.0,
+    [&](vtkIdType point, Index vertex, bool isThere)
+    {
+      const CriticalType type = isThere ? samples.type[vertex] : CriticalType::Excluded;
+      types->SetValue(point, static_cast<int>(type));
     });
 
   vtkPointData* data = output->GetPointData();
