@@ -122,6 +122,20 @@ TEST(Persistence, pairsAreThoseOfMatrixReduction)
   }
 }
 
+// The pairs of a graph of many blocks, most of whose edges join basins, are the same with one
+// thread and with several.
+TEST(Persistence, pairsDoNotDependOnThreads)
+{
+  const NeighborGraph graph(randomSphere(50000, 1), nearest(8));
+  const Values values = randomSteps(graph.pointCount(), 1000, 2);
+  const PersistencePairs alone = persistencePairs(graph, values, { 1, {} });
+  const PersistencePairs together = persistencePairs(graph, values, { 3, {} });
+
+  EXPECT_GT(alone.minima.size(), 1000);
+  EXPECT_EQ(verticesOf(alone.minima), verticesOf(together.minima));
+  EXPECT_EQ(verticesOf(alone.maxima), verticesOf(together.maxima));
+}
+
 // A constant function has only pairs of persistence 0.
 TEST(Persistence, constantFunctionsHaveNone)
 {
