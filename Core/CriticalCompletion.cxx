@@ -23,13 +23,25 @@ constexpr double SamePlace = 0.05;       // where Newton's method leads
 constexpr double SameCell = 0.2;         // where it does not
 constexpr double LonelinessMargin = 1.2; // of the ring around a single place
 
-void encloseByRings(RefinedPoint& point, CriticalModel& model)
+std::optional<int> indexAround(CriticalModel& model, const RefinedPoint& point, std::size_t ring)
 {
-  for (std::size_t ring = 0; ring < RingRadii.size(); ++ring)
-  {
-    point.enclosed[ring] =
-      indexWithin(model, { point.place, point.normal, RingRadii[ring] * point.reach });
-  }
+  return indexWithin(model, { point.place, point.normal, RingRadii[ring] * point.reach });
+}
+
+/// Asks the rings from one on, around all points from one on.
+void encloseByRings(std::vector<RefinedPoint>& points, std::size_t firstPoint,
+  std::size_t firstRing, const CriticalScale& scale, const Execution& execution)
+{
+  parallelForEach(points.size() - firstPoint, execution,
+    [&](std::size_t i, const Poll&)
+    {
+      CriticalModel model(scale);
+      RefinedPoint& point = points[firstPoint + i];
+      for (std::size_t ring = firstRing; ring < RingRadii.size(); ++ring)
+      {
+        point.enclosed[ring] = indexAround(model, point, ring);
+      }
+    });
 }
 
 /// The places so far, with the indices that are known.
@@ -100,15 +112,12 @@ std::optional<int> KnownPlaces::ownIndex(std::size_t i, Neighborhood& near) cons
 }
 
 /// The zero of the gradient in a cell around which it turns. Newton's method may lead to another
-/// one, of other index; then the middle of the cell serves.
+/// one, of other index; then the middle of the cell serves. No other ring is asked yet: most places
+/// found so are known.
 std::optional<RefinedPoint> placeIn(CriticalModel& model, const Turn& turn, double reach)
 {
   std::optional<RefinedPoint> point = refinePlace(model, turn.place, reach);
-  if (point)
-  {
-    encloseByRings(*point, model);
-  }
-  if (!point || point->enclosed.front().value_or(turn.index) != turn.index)
+  if (!point || indexAround(model, *point, 0).value_or(turn.index) != turn.index)
   {
     point = describePlace(model, turn.place);
     if (!point || model.isOnPlateau())
@@ -116,7 +125,6 @@ std::optional<RefinedPoint> placeIn(CriticalModel& model, const Turn& turn, doub
       return {};
     }
     point->isSettled = false;
-    encloseByRings(*point, model);
   }
   point->enclosed.front() = turn.index;
   return point;
@@ -164,15 +172,11 @@ std::vector<RefinedPoint> placesAround(
 void completePlaces(
   std::vector<RefinedPoint>& points, const CriticalScale& scale, const Execution& execution)
 {
-  parallelForEach(points.size(), execution.part(0.0, 0.6),
-    [&](std::size_t i, const Poll&)
-    {
-      CriticalModel model(scale);
-      encloseByRings(points[i], model);
-    });
-  std::vector<std::vector<RefinedPoint>> missed(points.size());
+  encloseByRings(points, 0, 0, scale, execution.part(0.0, 0.6));
+  const std::size_t count = points.size();
+  std::vector<std::vector<RefinedPoint>> missed(count);
   const KnownPlaces before(points);
-  parallelForEach(points.size(), execution.part(0.6, 1.0),
+  parallelForEach(count, execution.part(0.6, 0.9),
     [&](std::size_t i, const Poll&)
     {
       Neighborhood near;
@@ -189,6 +193,7 @@ void completePlaces(
       addPlace(points, found);
     }
   }
+  encloseByRings(points, count, 1, scale, execution.part(0.9, 1.0));
   const KnownPlaces all(points);
   Neighborhood near;
   for (std::size_t i = 0; i < points.size(); ++i)
