@@ -2,7 +2,6 @@
 
 #include "Monomials.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -84,6 +83,32 @@ auto arrange(const double* products)
     }
   }
   return matrix;
+}
+
+/// Replaces the lower triangle by Cholesky's factor L; false unless the matrix is positive
+/// definite. Whole columns are computed, for which loops are unrolled: what is above the diagonal
+/// has no meaning.
+template <class Matrix>
+bool factorize(Matrix& matrix)
+{
+  constexpr int Terms = Matrix::RowsAtCompileTime;
+  for (int k = 0; k < Terms; ++k)
+  {
+    Eigen::Array<double, Terms, 1> known = Eigen::Array<double, Terms, 1>::Zero();
+    for (int j = 0; j < k; ++j)
+    {
+      known += matrix.col(j).array() * matrix(k, j);
+    }
+    const double squaredPivot = matrix(k, k) - known[k];
+    if (squaredPivot <= 0.0)
+    {
+      return false;
+    }
+    const double pivot = std::sqrt(squaredPivot);
+    matrix.col(k).array() = (matrix.col(k).array() - known) / pivot;
+    matrix(k, k) = pivot;
+  }
+  return true;
 }
 
 /// Solves L L^T x = b for both right sides at once.
@@ -226,19 +251,15 @@ bool LocalFit::solve()
       sides(term, 1) += (terms[term] * values).sum();
     }
   }
-  const Eigen::Matrix<double, Terms, Terms> normalMatrix = arrange<Degree>(products);
-  const Eigen::LLT<Eigen::Matrix<double, Terms, Terms>> factor(normalMatrix);
-  if (factor.info() != Eigen::Success)
-  {
-    return false;
-  }
-  const auto pivots = factor.matrixLLT().diagonal().array().square();
-  if ((pivots < SingularFraction * normalMatrix.diagonal().array()).any())
+  Eigen::Matrix<double, Terms, Terms> matrix = arrange<Degree>(products);
+  const Eigen::Array<double, Terms, 1> diagonal = matrix.diagonal();
+  if (!factorize(matrix) ||
+    (matrix.diagonal().array().square() < SingularFraction * diagonal).any())
   {
     return false;
   }
   const Eigen::Matrix<double, Terms, 1> valueSide = sides.col(1);
-  solveTriangles(factor.matrixLLT(), sides);
+  solveTriangles(matrix, sides);
   this->valueMisfit_ =
     std::sqrt(std::max(0.0, squares - valueSide.dot(sides.col(1))) / products[0]);
   this->coefficients_.template topRows<Terms>() = sides;

@@ -87,12 +87,13 @@ void PolynomialNeighborhood::gatherNearest(const Vector3d& place, int count)
 {
   if (count == this->size_.count)
   {
-    this->near_.indices.clear();
-    this->near_.squaredDistances.clear();
-    for (const NearestSearch::Found& found : this->search_.find(place))
+    const std::vector<NearestSearch::Found>& found = this->search_.find(place);
+    this->near_.indices.resize(found.size());
+    this->near_.squaredDistances.resize(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
     {
-      this->near_.indices.push_back(found.index);
-      this->near_.squaredDistances.push_back(found.squaredDistance);
+      this->near_.indices[i] = found[i].index;
+      this->near_.squaredDistances[i] = found[i].squaredDistance;
     }
   }
   else
