@@ -14,7 +14,8 @@ constexpr double Goal = 1e-11; // of the estimated error, relative to the soluti
 } // namespace
 
 EllipticSolver::EllipticSolver(RowMatrix&& matrix, bool isSymmetric, const Execution& execution)
-  : preconditioner_(std::move(matrix), isSymmetric, execution)
+  : matrix_(std::move(matrix))
+  , preconditioner_(this->matrix_, isSymmetric, execution)
   , isSymmetric_(isSymmetric)
 {
 }
@@ -22,7 +23,7 @@ EllipticSolver::EllipticSolver(RowMatrix&& matrix, bool isSymmetric, const Execu
 Values EllipticSolver::solve(const ValuesRef& right, const Execution& execution) const
 {
   const auto image = [this](const Values& vector, const Execution& polling)
-  { return multiply(this->preconditioner_.matrix(), vector, polling); };
+  { return multiply(this->matrix_, vector, polling); };
   const auto corrected = [this](const Values& residual, const Execution& polling)
   { return this->preconditioner_.apply(residual, polling); };
   return PreconditionedSystem{ image, corrected, this->isSymmetric_ }.solve(right, Goal, execution);

@@ -29,6 +29,7 @@ public:
   Values solve(const ValuesRef& right, const Execution& execution = {}) const;
 
 private:
+  RowMatrix matrix_;
   Multigrid preconditioner_;
   bool isSymmetric_;
 };

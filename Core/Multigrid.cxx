@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SurfaceScalars
@@ -18,8 +19,7 @@ constexpr std::size_t ProductGrain = 32768;     // rows of a product with a vect
 constexpr std::size_t RowGrain = 2048;          // rows of a product of matrices
 constexpr Eigen::Index MostFactored = 10000;    // rows of the last level: some tenths of a second
 constexpr Eigen::Index MostFactoredByLU = 1000; // which takes many times as long
-constexpr double RelaxationWeight = 1.6;        // of Jacobi's method, over the largest eigenvalue
-constexpr double SmoothingWeight = 4.0 / 3.0;   // the same for the next level's functions
+constexpr double SmoothingWeight = 4.0 / 3.0;   // of Jacobi's method, over the largest eigenvalue
 
 /// Rows that are made in blocks on several threads.
 RowMatrix stack(Eigen::Index rows, Eigen::Index columns, const Execution& execution,
@@ -113,75 +113,91 @@ double largestEigenvalue(const RowMatrix& matrix, const Values& diagonal)
   return largest;
 }
 
+/// From the functions of the next level to those of this.
+RowMatrix prolongationOf(const RowMatrix& matrix, const Execution& execution)
+{
+  const Coupling coupling(matrix);
+  const Aggregates aggregates = aggregate(coupling, matrix.rows());
+  const Values diagonal = matrix.diagonal();
+  const double weight = SmoothingWeight / largestEigenvalue(matrix, diagonal);
+  const RowMatrix constants = indicators(aggregates);
+  return stack(matrix.rows(), aggregates.count, execution,
+    [&](Eigen::Index begin, Eigen::Index count)
+    {
+      const RowMatrix rows =
+        smoothingRows(matrix, coupling, diagonal, weight, begin, count) * constants;
+      return RowMatrix(rows.pruned(1.0, 0.0));
+    });
+}
+
+/// restriction * matrix * prolongation
+RowMatrix matrixOfNext(const RowMatrix& restriction, const RowMatrix& matrix,
+  const RowMatrix& prolongation, const Execution& execution)
+{
+  return stack(restriction.rows(), restriction.rows(), execution,
+    [&](Eigen::Index begin, Eigen::Index count)
+    {
+      const RowMatrix rows = restriction.middleRows(begin, count) * matrix;
+      return RowMatrix(rows * prolongation);
+    });
+}
+
+/// Calls body(first, count) for blocks of rows.
+template <class Body>
+void forEachBlock(Eigen::Index rows, const Execution& execution, const Body& body)
+{
+  parallelFor(static_cast<std::size_t>(rows), ProductGrain, execution,
+    [&](std::size_t begin, std::size_t end)
+    { body(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin)); });
+}
+
+/// sum += matrix * vector
+void addProduct(
+  const RowMatrix& matrix, const Values& vector, Values& sum, const Execution& execution)
+{
+  forEachBlock(matrix.rows(), execution,
+    [&](Eigen::Index first, Eigen::Index count)
+    { sum.segment(first, count).noalias() += matrix.middleRows(first, count) * vector; });
+}
+
 } // namespace
 
 Values multiply(const RowMatrix& matrix, const Values& vector, const Execution& execution)
 {
   Values result(matrix.rows());
-  parallelFor(static_cast<std::size_t>(matrix.rows()), ProductGrain, execution,
-    [&](std::size_t begin, std::size_t end)
-    {
-      const auto first = static_cast<Eigen::Index>(begin);
-      const auto count = static_cast<Eigen::Index>(end - begin);
-      result.segment(first, count).noalias() = matrix.middleRows(first, count) * vector;
-    });
+  forEachBlock(matrix.rows(), execution,
+    [&](Eigen::Index first, Eigen::Index count)
+    { result.segment(first, count).noalias() = matrix.middleRows(first, count) * vector; });
   return result;
 }
 
-Multigrid::Multigrid(RowMatrix&& matrix, bool isSymmetric, const Execution& execution)
+Multigrid::Multigrid(const RowMatrix& matrix, bool isSymmetric, const Execution& execution)
   : isSymmetric_(isSymmetric)
 {
-  this->levels_.emplace_back().matrix.swap(matrix);
+  RowMatrix last;
+  const RowMatrix* current = &matrix;
   double done = 0.0;
-  while (this->levels_.back().matrix.rows() > (isSymmetric ? MostFactored : MostFactoredByLU))
+  while (current->rows() > (isSymmetric ? MostFactored : MostFactoredByLU))
   {
     const double next = 0.2 * done + 0.8; // a level takes a fraction of the one before
     const double half = 0.5 * (done + next);
-    Level& level = this->levels_.back();
-    linkToNext(level, execution.part(done, half));
-    RowMatrix coarse = matrixOfNext(level, execution.part(half, next));
-    this->levels_.emplace_back().matrix.swap(coarse);
+    Level& level =
+      this->levels_.emplace_back(Level{ GaussSeidel(*current), RowMatrix(), RowMatrix() });
+    level.prolongation = prolongationOf(*current, execution.part(done, half));
+    level.restriction = level.prolongation.transpose();
+    RowMatrix coarse =
+      matrixOfNext(level.restriction, *current, level.prolongation, execution.part(half, next));
+    last.swap(coarse);
+    current = &last;
     done = next;
   }
-  this->factorLast();
+  this->factorLast(*current, matrix.rows());
   execution.report(1.0);
 }
 
-void Multigrid::linkToNext(Level& level, const Execution& execution)
+/// @param rows of the first
+void Multigrid::factorLast(const RowMatrix& matrix, Eigen::Index rows)
 {
-  const RowMatrix& matrix = level.matrix;
-  const Coupling coupling(matrix);
-  const Aggregates aggregates = aggregate(coupling, matrix.rows());
-  const Values diagonal = matrix.diagonal();
-  const double eigenvalue = largestEigenvalue(matrix, diagonal);
-  level.relaxation = RelaxationWeight / eigenvalue * diagonal.cwiseInverse();
-  const RowMatrix constants = indicators(aggregates);
-  level.prolongation = stack(matrix.rows(), aggregates.count, execution,
-    [&](Eigen::Index begin, Eigen::Index count)
-    {
-      const RowMatrix rows =
-        smoothingRows(matrix, coupling, diagonal, SmoothingWeight / eigenvalue, begin, count) *
-        constants;
-      return RowMatrix(rows.pruned(1.0, 0.0));
-    });
-  level.restriction = level.prolongation.transpose();
-}
-
-/// The matrix of the next level: restriction * matrix * prolongation.
-RowMatrix Multigrid::matrixOfNext(const Level& level, const Execution& execution)
-{
-  const Eigen::Index size = level.restriction.rows();
-  return stack(size, size, execution,
-    [&](Eigen::Index begin, Eigen::Index count)
-    {
-      const RowMatrix rows = level.restriction.middleRows(begin, count) * level.matrix;
-      return RowMatrix(rows * level.prolongation);
-    });
-}
-
-void Multigrid::factorLast()
-{
-  const RowMatrix& matrix = this->levels_.back().matrix;
   if (matrix.rows() == 0)
   {
     return; // diagonals dominate all rows of the level before
@@ -193,8 +209,8 @@ void Multigrid::factorLast()
   };
   if (!(this->isSymmetric_ ? factor(this->cholesky_) : factor(this->lu_)))
   {
-    throw Error("the matrix of a linear system of " + std::to_string(this->matrix().rows()) +
-      " equations is singular.");
+    throw Error(
+      "the matrix of a linear system of " + std::to_string(rows) + " equations is singular.");
   }
 }
 
@@ -215,19 +231,17 @@ Values Multigrid::apply(const Values& residual, const Execution& execution) cons
 
 Values Multigrid::cycle(std::size_t level, const Values& residual, const Execution& execution) const
 {
-  if (level + 1 == this->levels_.size())
+  if (level == this->levels_.size())
   {
     return this->solveLast(residual);
   }
   const Level& fine = this->levels_[level];
-  Values solution = fine.relaxation.cwiseProduct(residual);
-  const auto left = [&]() -> Values
-  { return residual - multiply(fine.matrix, solution, execution); };
+  GaussSeidel::Sweep sweep = fine.sweeps.forward(residual, execution);
   const Values correction =
-    this->cycle(level + 1, multiply(fine.restriction, left(), execution), execution);
-  solution += multiply(fine.prolongation, correction, execution);
-  solution += fine.relaxation.cwiseProduct(left());
-  return solution;
+    this->cycle(level + 1, multiply(fine.restriction, sweep.residual, execution), execution);
+  addProduct(fine.prolongation, correction, sweep.solution, execution);
+  fine.sweeps.back(residual, sweep, execution);
+  return std::move(sweep.solution);
 }
 
 } // namespace SurfaceScalars

@@ -3,6 +3,7 @@
 #include "Aggregation.h"
 #include "Basics.h"
 #include "Execution.h"
+#include "GaussSeidel.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -22,9 +23,10 @@ Values multiply(const RowMatrix& matrix, const Values& vector, const Execution& 
  *
  * Each level's rows are gathered in aggregates of a row and those strongly coupled to it, the rows
  * of the next level; constants on the aggregates, smoothed by a step of Jacobi's method, are the
- * functions that the next level stands for. A step of that method before and one after the next
- * level's correction do the rest, and all for rows that their diagonal dominates. The last level is
- * factored, so that for a small matrix the inverse is exact.
+ * functions that the next level stands for. A sweep of Gauss and Seidel's method through the rows
+ * before the next level's correction and one back after it do the rest, and all for rows that their
+ * diagonal dominates; so a symmetric matrix has a symmetric, positive definite approximation. The
+ * last level is factored, so that for a small matrix the inverse is exact.
  *
  * Time and memory O(entries): about as much again as the matrix takes.
  */
@@ -33,27 +35,31 @@ class Multigrid
 public:
   /// @param matrix positive diagonal, mostly negative entries beside it
   /// @throws Error if the last level is singular; Aborted
-  Multigrid(RowMatrix&& matrix, bool isSymmetric, const Execution& execution);
+  Multigrid(const RowMatrix& matrix, bool isSymmetric, const Execution& execution);
 
-  const RowMatrix& matrix() const { return this->levels_.front().matrix; }
+  bool isExact() const { return this->levels_.empty(); } ///< the inverse, for a small matrix
+
+  /// right - matrix * solution, entries rounded to single precision; unless isExact()
+  Values residual(const Values& right, const Values& solution, const Execution& execution) const
+  {
+    return this->levels_.front().sweeps.residual(right, solution, execution);
+  }
+
   Values apply(const Values& residual, const Execution& execution) const;
 
 private:
   struct Level
   {
-    RowMatrix matrix;
-    Values relaxation;      ///< of Jacobi's method: by how much of its residual a row is corrected
+    GaussSeidel sweeps;
     RowMatrix prolongation; ///< from the next level's functions to this one's
     RowMatrix restriction;  ///< its transpose
   };
 
-  static void linkToNext(Level& level, const Execution& execution);
-  static RowMatrix matrixOfNext(const Level& level, const Execution& execution);
-  void factorLast();
+  void factorLast(const RowMatrix& matrix, Eigen::Index rows);
   Values solveLast(const Values& residual) const;
   Values cycle(std::size_t level, const Values& residual, const Execution& execution) const;
 
-  std::deque<Level> levels_; ///< Eigen's matrices are copied where a vector would move them
+  std::deque<Level> levels_; ///< but the last; Eigen's matrices are copied where a vector moves
   bool isSymmetric_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky_; ///< of the last level: this
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;             ///< or this if not symmetric

@@ -15,6 +15,10 @@ namespace
 /// projected out, is far from singular, and factors should be as well.
 constexpr double LeastEpsilon = 1.0;
 
+constexpr Eigen::Index MostFactored = 100000; // vertices: above, factors take too much memory;
+constexpr int MostCycles = 24;                // where triangles are slivers, cycles too much time
+constexpr double InverseError = 0.003;        // of cycles: smaller ones save no steps
+
 } // namespace
 
 SmoothingSystem::SmoothingSystem(std::shared_ptr<const Laplacian> laplacian,
@@ -49,37 +53,33 @@ Values SmoothingSystem::metricProduct(const Values& vector, const Execution& exe
   return multiply(this->metric_, vector, execution);
 }
 
+/// s D
+Values SmoothingSystem::shift(double weight) const
+{
+  return std::sqrt(weight) * this->laplacian_->mass.cwiseProduct(this->rowSums_).cwiseSqrt();
+}
+
 /// S + s D, or E + t W where that does not help.
 std::shared_ptr<const Eigen::SparseMatrix<double>> SmoothingSystem::toBeFactored(
   double weight) const
 {
   const Eigen::SparseMatrix<double>& stiffness = this->laplacian_->stiffness;
-  const Values& mass = this->laplacian_->mass;
   if (this->isSplit())
   {
     auto result = std::make_shared<Eigen::SparseMatrix<double>>(stiffness);
-    result->diagonal() += std::sqrt(weight) * mass.cwiseProduct(this->rowSums_).cwiseSqrt();
+    result->diagonal() += this->shift(weight);
     return result;
   }
-  const Eigen::SparseMatrix<double> scaled = scaleRows(stiffness, mass.cwiseInverse());
+  const Eigen::SparseMatrix<double> scaled =
+    scaleRows(stiffness, this->laplacian_->mass.cwiseInverse());
   const Eigen::SparseMatrix<double> metric = this->metric_;
   return std::make_shared<Eigen::SparseMatrix<double>>(
     Eigen::SparseMatrix<double>(stiffness.transpose() * scaled) + weight * metric);
 }
 
-void SmoothingSystem::prepare(double weight, const Execution& execution)
+void SmoothingSystem::factor(double weight, const Execution& execution)
 {
-  if (weight == this->preparedWeight_)
-  {
-    return;
-  }
-  this->preparedWeight_ = 0.0;
-  if (this->energy_ == SmoothingEnergy::Harmonic)
-  {
-    this->multigrid_ = std::make_unique<Multigrid>(
-      RowMatrix(this->stiffness_ + weight * this->metric_), this->laplacian_->symmetric, execution);
-  }
-  else if (auto cholesky = std::exchange(this->cholesky_, nullptr))
+  if (auto cholesky = std::exchange(this->cholesky_, nullptr))
   {
     cholesky->refactor(this->toBeFactored(weight), execution);
     this->cholesky_ = std::move(cholesky);
@@ -92,6 +92,42 @@ void SmoothingSystem::prepare(double weight, const Execution& execution)
   {
     this->rounded_ = std::make_unique<RoundedFactor>(this->cholesky_->rounded());
   }
+}
+
+/// @returns whether that is worthwhile: not where cycles did not do before
+bool SmoothingSystem::prepareCycles(double weight, const Execution& execution)
+{
+  if (!this->isSplit() || this->cholesky_ || this->stiffness_.rows() <= MostFactored)
+  {
+    return false;
+  }
+  RowMatrix shifted = this->stiffness_;
+  shifted.diagonal() += this->shift(weight);
+  this->cycles_ = std::make_unique<AcceleratedMultigrid>(shifted, InverseError, execution);
+  if (this->cycles_->cycleCount() > MostCycles)
+  {
+    this->cycles_ = nullptr;
+  }
+  return this->cycles_ != nullptr;
+}
+
+void SmoothingSystem::prepare(double weight, const Execution& execution)
+{
+  if (weight == this->preparedWeight_)
+  {
+    return;
+  }
+  this->preparedWeight_ = 0.0;
+  this->cycles_ = nullptr; // to be freed first
+  if (this->energy_ == SmoothingEnergy::Harmonic)
+  {
+    this->multigrid_ = std::make_unique<Multigrid>(
+      RowMatrix(this->stiffness_ + weight * this->metric_), this->laplacian_->symmetric, execution);
+  }
+  else if (!this->prepareCycles(weight, execution))
+  {
+    this->factor(weight, execution);
+  }
   this->preparedWeight_ = weight;
 }
 
@@ -101,6 +137,11 @@ Values SmoothingSystem::preconditioned(const Values& residual, const Execution& 
   if (this->multigrid_)
   {
     result = this->multigrid_->apply(residual, execution);
+  }
+  else if (this->cycles_)
+  {
+    result = this->cycles_->apply(residual, execution);
+    result = this->cycles_->apply(this->laplacian_->mass.cwiseProduct(result), execution);
   }
   else if (this->rounded_)
   {

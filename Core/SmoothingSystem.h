@@ -1,5 +1,6 @@
 #pragma once
 
+#include "AcceleratedMultigrid.h"
 #include "ComponentMeans.h"
 #include "KrylovSolver.h"
 #include "Multigrid.h"
@@ -42,6 +43,9 @@ private:
       this->rowSums_.minCoeff() > 0.0;
   }
   void prepare(double weight, const Execution& execution);
+  bool prepareCycles(double weight, const Execution& execution);
+  void factor(double weight, const Execution& execution);
+  Values shift(double weight) const;
   std::shared_ptr<const Eigen::SparseMatrix<double>> toBeFactored(double weight) const;
   Values preconditioned(const Values& residual, const Execution& execution) const;
 
@@ -53,10 +57,11 @@ private:
   Values rowSums_; ///< of the metric
   ComponentMeans means_;
 
-  double preparedWeight_ = 0.0;              ///< for which these are; 0 = none
-  std::unique_ptr<SparseCholesky> cholesky_; ///< biharmonic
-  std::unique_ptr<RoundedFactor> rounded_;   ///< of these, if split
-  std::unique_ptr<Multigrid> multigrid_;     ///< harmonic
+  double preparedWeight_ = 0.0;                  ///< for which these are; 0 = none
+  std::unique_ptr<Multigrid> multigrid_;         ///< harmonic
+  std::unique_ptr<AcceleratedMultigrid> cycles_; ///< split, of many vertices
+  std::unique_ptr<SparseCholesky> cholesky_;     ///< otherwise
+  std::unique_ptr<RoundedFactor> rounded_;       ///< of these, if split
 };
 
 } // namespace SurfaceScalars
