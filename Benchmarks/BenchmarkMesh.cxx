@@ -26,6 +26,7 @@ struct MeshCase
     , vertices(3, columns * rows)
     , triangles(3, 2 * vertices.cols())
     , values(vertices.cols())
+    , noise(vertices.cols())
   {
     std::mt19937 random(1);
     Eigen::Index triangle = 0;
@@ -46,6 +47,7 @@ struct MeshCase
         this->vertices.col(a) << axial * std::cos(u), axial * std::sin(u), 0.4 * std::sin(v);
         this->values[a] = this->vertices.col(a).dot(Vector3d(0.3, 0.5, 0.8)) +
           0.02 * static_cast<double>(random()) / std::mt19937::max();
+        this->noise[a] = std::sin(static_cast<double>(a) * a);
       }
     }
   }
@@ -58,6 +60,7 @@ struct MeshCase
   Points vertices;
   Triangles triangles;
   Values values;
+  Values noise; ///< nothing else: the share of critical vertices is the same at any size
 };
 
 const MeshCase& meshCase(benchmark::State& state)
@@ -132,6 +135,27 @@ void pairs(benchmark::State& state)
     });
 }
 
+void deltasOfNoise(benchmark::State& state)
+{
+  const VertexTypes types = classifyVertices(topologyOf(state), meshCase(state).noise);
+  measure(state,
+    [&](const MeshCase& mesh, const MeshTopology& topology, const Execution& execution)
+    {
+      const Values thresholds = deltaThresholds(topology, mesh.noise, types, execution);
+      benchmark::DoNotOptimize(thresholds.data());
+    });
+}
+
+void pairsOfNoise(benchmark::State& state)
+{
+  measure(state,
+    [](const MeshCase& mesh, const MeshTopology& topology, const Execution& execution)
+    {
+      const PersistencePairs found = persistencePairs(topology, mesh.noise, execution);
+      benchmark::DoNotOptimize(found.minima.data());
+    });
+}
+
 void points(benchmark::State& state)
 {
   measure(state,
@@ -143,6 +167,17 @@ void points(benchmark::State& state)
     });
 }
 
+/// ValueOrder as one writes it down first: branches, which suit sorting but no walks.
+struct PlainOrder
+{
+  const double* values;
+
+  bool operator()(Index a, Index b) const
+  {
+    return this->values[a] < this->values[b] || (this->values[a] == this->values[b] && a < b);
+  }
+};
+
 /// The reference: the vertices in the order of the values.
 void sortValues(benchmark::State& state)
 {
@@ -151,17 +186,18 @@ void sortValues(benchmark::State& state)
   for (auto _ : state)
   {
     std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), ValueOrder{ mesh.values.data() });
+    std::sort(order.begin(), order.end(), PlainOrder{ mesh.values.data() });
     benchmark::DoNotOptimize(order.data());
   }
 }
 
 /// The reference: changes of sign around each vertex, along links in flat arrays.
+template <class Order>
 void walkAlongLinks(benchmark::State& state)
 {
   const MeshCase& mesh = meshCase(state);
   const MeshTopology& topology = topologyOf(state);
-  const ValueOrder isBelow{ mesh.values.data() };
+  const Order isBelow{ mesh.values.data() };
   std::vector<Index> changes(mesh.count());
   for (auto _ : state)
   {
@@ -216,13 +252,14 @@ struct CornerTable
 };
 
 /// The same, walking from triangle to triangle, as on a mesh of half-edges.
+template <class Order>
 void walkAcrossTriangles(benchmark::State& state)
 {
   const MeshCase& mesh = meshCase(state);
   static std::map<std::int64_t, CornerTable> made;
   const CornerTable& table = made.try_emplace(state.range(0), mesh).first->second;
   const Index* corners = mesh.triangles.data();
-  const ValueOrder isBelow{ mesh.values.data() };
+  const Order isBelow{ mesh.values.data() };
   std::vector<Index> changes(mesh.count());
   for (auto _ : state)
   {
@@ -264,10 +301,14 @@ void sizesOfReference(benchmark::internal::Benchmark* benchmark)
 BENCHMARK(meshTopology)->Apply(sizes);
 BENCHMARK(classify)->Apply(sizes);
 BENCHMARK(deltas)->Apply(sizes);
+BENCHMARK(deltasOfNoise)->Apply(sizes);
 BENCHMARK(pairs)->Apply(sizes);
+BENCHMARK(pairsOfNoise)->Apply(sizes);
 BENCHMARK(points)->Apply(sizes);
 BENCHMARK(sortValues)->Apply(sizesOfReference);
-BENCHMARK(walkAlongLinks)->Apply(sizesOfReference);
-BENCHMARK(walkAcrossTriangles)->Apply(sizesOfReference);
+BENCHMARK_TEMPLATE(walkAlongLinks, PlainOrder)->Apply(sizesOfReference);
+BENCHMARK_TEMPLATE(walkAlongLinks, ValueOrder)->Apply(sizesOfReference);
+BENCHMARK_TEMPLATE(walkAcrossTriangles, PlainOrder)->Apply(sizesOfReference);
+BENCHMARK_TEMPLATE(walkAcrossTriangles, ValueOrder)->Apply(sizesOfReference);
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -67,19 +68,26 @@ std::vector<Index> middleCounts(
 CriticalCounts concludeTypes(
   const MeshTopology& mesh, const ValuesRef& values, Index begin, Index end, VertexTypes& result)
 {
-  CriticalCounts counts;
+  Index* const changes = result.multiplicities.data();
+  for (Index vertex = begin; vertex < end && !mesh.isClosed(); ++vertex)
+  {
+    changes[vertex] *= mesh.isBoundary(vertex) ? 2 : 1; // as if the mesh met its mirror image
+  }
   std::vector<Index> extrema(end - begin);
   std::size_t extremumCount = 0;
   for (Index vertex = begin; vertex < end; ++vertex)
   {
-    const Index changes = result.multiplicities[vertex];
-    const bool isInside = mesh.isClosed() || !mesh.isBoundary(vertex);
     extrema[extremumCount] = vertex;
-    extremumCount += changes == 0 ? 1 : 0;
-    const Index multiplicity = std::max(1u, isInside ? changes / 2 : changes) - 1;
-    result.multiplicities[vertex] = multiplicity;
+    extremumCount += changes[vertex] == 0 ? 1 : 0;
+  }
+  CriticalCounts counts;
+  for (Index vertex = begin; vertex < end; ++vertex)
+  {
+    const auto half = static_cast<std::int32_t>(changes[vertex]) / 2;
+    const std::int32_t multiplicity = half - (half > 0 ? 1 : 0);
+    result.multiplicities[vertex] = static_cast<Index>(multiplicity);
     result.types[vertex] = multiplicity > 0 ? CriticalType::Saddle : CriticalType::Regular;
-    counts.saddles += multiplicity;
+    counts.saddles += static_cast<Index>(multiplicity);
   }
   const ValueOrder isBelow{ values.data() };
   for (std::size_t i = 0; i < extremumCount; ++i)
@@ -102,7 +110,7 @@ void checkMeshValues(const MeshTopology& mesh, const ValuesRef& values)
     std::to_string(values.size()) + " values for " + std::to_string(mesh.vertexCount()) +
       " vertices",
     "Choose another array.");
-  if (!values.allFinite())
+  if (!std::isfinite((0.0 * values).sum()))
   {
     const double* bad = std::find_if_not(values.data(), values.data() + values.size(),
       [](double value) { return std::isfinite(value); });
