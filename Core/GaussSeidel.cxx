@@ -8,21 +8,53 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr Eigen::Index BlockSize = 16384; // rows
-constexpr double Damping = 1.5;           // of entries between blocks
+constexpr Eigen::Index BlockSize = 8192; // rows
+constexpr Eigen::Index PairSize = 2 * BlockSize;
+constexpr double Damping = 1.5; // of entries between blocks
 
 Eigen::Index blockOf(Eigen::Index row)
 {
   return row / BlockSize;
 }
 
-/// Calls body(block, first, last) for the rows of each block.
+/// Calls body(pair, first, last) for the rows of each pair of blocks.
 template <class Body>
-void forEachBlock(Eigen::Index rows, const Execution& execution, const Body& body)
+void forEachPairOfBlocks(Eigen::Index rows, const Execution& execution, const Body& body)
 {
-  parallelFor(static_cast<std::size_t>(rows), BlockSize, execution,
+  parallelFor(static_cast<std::size_t>(rows), PairSize, execution,
     [&](std::size_t begin, std::size_t end)
-    { body(begin / BlockSize, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end)); });
+    { body(begin / PairSize, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end)); });
+}
+
+/// Calls body(row), in the two blocks by turns: each row waits for the one before, and a processor
+/// can as well wait for two.
+template <class Body>
+void goForward(Eigen::Index first, Eigen::Index last, const Body& body)
+{
+  const Eigen::Index middle = std::min(first + BlockSize, last);
+  for (Eigen::Index row = first; row < middle; ++row)
+  {
+    body(row);
+    if (row + BlockSize < last)
+    {
+      body(row + BlockSize);
+    }
+  }
+}
+
+/// The same from the last rows on.
+template <class Body>
+void goBack(Eigen::Index first, Eigen::Index last, const Body& body)
+{
+  const Eigen::Index middle = std::min(first + BlockSize, last);
+  for (Eigen::Index row = middle - 1; row >= first; --row)
+  {
+    if (row + BlockSize < last)
+    {
+      body(row + BlockSize);
+    }
+    body(row);
+  }
 }
 
 } // namespace
@@ -37,7 +69,7 @@ GaussSeidel::GaussSeidel(const RowMatrix& matrix)
   this->pairs_.reserve(static_cast<std::size_t>(matrix.nonZeros() - matrix.rows()) / 2);
   for (Eigen::Index row = 0; row < matrix.rows(); ++row)
   {
-    if (row % BlockSize == 0)
+    if (row % PairSize == 0)
     {
       this->outsideStarts_.push_back(static_cast<int>(this->outside_.size()));
     }
@@ -106,9 +138,11 @@ double GaussSeidel::appendOutside(const RowMatrix& matrix, Eigen::Index row)
   return sum;
 }
 
-void GaussSeidel::subtractOutside(std::size_t block, const Values& solution, Values& right) const
+void GaussSeidel::subtractOutside(
+  std::size_t pairOfBlocks, const Values& solution, Values& right) const
 {
-  for (int i = this->outsideStarts_[block]; i < this->outsideStarts_[block + 1]; ++i)
+  const int end = this->outsideStarts_[pairOfBlocks + 1];
+  for (int i = this->outsideStarts_[pairOfBlocks]; i < end; ++i)
   {
     const OutsideEntry& entry = this->outside_[i];
     right[entry.row] -= this->unit_ * static_cast<double>(entry.value) * solution[entry.column];
@@ -120,29 +154,27 @@ GaussSeidel::Sweep GaussSeidel::forward(const Values& right, const Execution& ex
   Sweep result{ Values(right.size()), Values(right.size()) };
   double* const solution = result.solution.data();
   double* const residual = result.residual.data();
-  forEachBlock(right.size(), execution,
-    [&](std::size_t, Eigen::Index first, Eigen::Index last)
+  const auto relax = [&, inverseUnit = 1.0 / this->unit_](Eigen::Index row)
+  {
+    double sum = 0.0;
+    for (const Pair& pair : this->pairsOf(row))
     {
-      const double inverseUnit = 1.0 / this->unit_;
-      for (Eigen::Index row = first; row < last; ++row)
-      {
-        double sum = 0.0;
-        for (const Pair& pair : this->pairsOf(row))
-        {
-          sum += static_cast<double>(pair.lower) * solution[pair.column];
-        }
-        solution[row] = (inverseUnit * right[row] - sum) * this->inversePivots_[row];
-        residual[row] = right[row] - this->unit_ * sum - this->diagonal_[row] * solution[row];
-        const double share = this->unit_ * solution[row];
-        for (const Pair& pair : this->pairsOf(row))
-        {
-          residual[pair.column] -= static_cast<double>(pair.upper) * share;
-        }
-      }
-    });
-  forEachBlock(right.size(), execution,
-    [&](std::size_t block, Eigen::Index, Eigen::Index)
-    { this->subtractOutside(block, result.solution, result.residual); });
+      sum += static_cast<double>(pair.lower) * solution[pair.column];
+    }
+    const double value = (inverseUnit * right[row] - sum) * this->inversePivots_[row];
+    solution[row] = value;
+    residual[row] = right[row] - this->unit_ * sum - this->diagonal_[row] * value;
+    const double share = this->unit_ * value;
+    for (const Pair& pair : this->pairsOf(row))
+    {
+      residual[pair.column] -= static_cast<double>(pair.upper) * share;
+    }
+  };
+  forEachPairOfBlocks(right.size(), execution,
+    [&](std::size_t, Eigen::Index first, Eigen::Index last) { goForward(first, last, relax); });
+  forEachPairOfBlocks(right.size(), execution,
+    [&](std::size_t pair, Eigen::Index, Eigen::Index)
+    { this->subtractOutside(pair, result.solution, result.residual); });
   return result;
 }
 
@@ -150,42 +182,42 @@ void GaussSeidel::back(const Values& right, Sweep& sweep, const Execution& execu
 {
   double* const solution = sweep.solution.data();
   double* const rest = sweep.residual.data(); // without what other blocks and later rows contribute
-  forEachBlock(right.size(), execution,
-    [&](std::size_t block, Eigen::Index first, Eigen::Index last)
+  forEachPairOfBlocks(right.size(), execution,
+    [&](std::size_t pair, Eigen::Index first, Eigen::Index last)
     {
       std::copy(right.data() + first, right.data() + last, rest + first);
-      this->subtractOutside(block, sweep.solution, sweep.residual);
-    });
-  forEachBlock(right.size(), execution,
-    [&](std::size_t, Eigen::Index first, Eigen::Index last)
-    {
-      const double inverseUnit = 1.0 / this->unit_;
-      for (Eigen::Index row = last - 1; row >= first; --row)
+      this->subtractOutside(pair, sweep.solution, sweep.residual);
+      for (Eigen::Index row = first; row < last; ++row)
       {
-        double sum = 0.0;
-        for (const Pair& pair : this->pairsOf(row))
-        {
-          sum += static_cast<double>(pair.lower) * solution[pair.column];
-        }
-        rest[row] -= this->diagonal_[row] * solution[row];
-        solution[row] += (inverseUnit * rest[row] - sum) * this->inversePivots_[row];
-        const double share = this->unit_ * solution[row];
-        for (const Pair& pair : this->pairsOf(row))
-        {
-          rest[pair.column] -= static_cast<double>(pair.upper) * share;
-        }
+        rest[row] /= this->unit_;
       }
     });
+  const auto relax = [&, inverseUnit = 1.0 / this->unit_](Eigen::Index row)
+  {
+    double sum = inverseUnit * this->diagonal_[row] * solution[row];
+    for (const Pair& pair : this->pairsOf(row))
+    {
+      sum += static_cast<double>(pair.lower) * solution[pair.column];
+    }
+    const double value = solution[row] + (rest[row] - sum) * this->inversePivots_[row];
+    solution[row] = value;
+    for (const Pair& pair : this->pairsOf(row))
+    {
+      rest[pair.column] -= static_cast<double>(pair.upper) * value;
+    }
+  };
+  forEachPairOfBlocks(right.size(), execution,
+    [&](std::size_t, Eigen::Index first, Eigen::Index last) { goBack(first, last, relax); });
 }
 
 Values GaussSeidel::residual(
   const Values& right, const Values& solution, const Execution& execution) const
 {
   Values result = right;
-  forEachBlock(right.size(), execution,
-    [&](std::size_t block, Eigen::Index first, Eigen::Index last)
+  forEachPairOfBlocks(right.size(), execution,
+    [&](std::size_t pairOfBlocks, Eigen::Index first, Eigen::Index last)
     {
-      this->subtractOutside(block, solution, result);
+      this->subtractOutside(pairOfBlocks, solution, result);
       for (Eigen::Index row = first; row < last; ++row)
       {
         const double share = this->unit_ * solution[row];

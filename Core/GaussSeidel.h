@@ -70,13 +70,13 @@ private:
   float round(double value, Eigen::Index row);
   void append(const RowMatrix& matrix, const RowMatrix& transposed, Eigen::Index row);
   double appendOutside(const RowMatrix& matrix, Eigen::Index row);
-  void subtractOutside(std::size_t block, const Values& solution, Values& right) const;
+  void subtractOutside(std::size_t pairOfBlocks, const Values& solution, Values& right) const;
 
   double unit_; ///< of the entries
   std::vector<Pair> pairs_;
   std::vector<int> starts_; ///< of the pairs of each row, and the end
   std::vector<OutsideEntry> outside_;
-  std::vector<int> outsideStarts_; ///< of the entries of each block, and the end
+  std::vector<int> outsideStarts_; ///< of the entries of each pair of blocks, and the end
   Values diagonal_;
   Values inversePivots_; ///< in units: by what a row's residual is multiplied
 };
