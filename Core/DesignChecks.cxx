@@ -44,6 +44,39 @@ void checkRequest(const MeshTopology& mesh, const CriticalRequest& request, cons
     std::to_string(request.star.size()) + " values of neighbors", "Correct the star.");
 }
 
+/// Differences and their multiples have to be finite.
+void checkRange(const std::vector<CriticalRequest>& requests)
+{
+  double largest = 0.0;
+  for (const CriticalRequest& request : requests)
+  {
+    largest = std::max(largest, std::abs(request.value.value_or(0.0)));
+  }
+  constexpr double most = 1e300;
+  require(largest <= most, "values of at most " + textOf(most) + " in magnitude", textOf(largest),
+    "Choose another unit.");
+}
+
+void checkComponents(const DesignMesh& mesh, const std::vector<CriticalRequest>& requests)
+{
+  const MeshTopology& topology = mesh.topology();
+  std::vector<char> isAsked(topology.componentCount(), 0);
+  for (const CriticalRequest& request : requests)
+  {
+    isAsked[topology.component(request.vertex)] = 1;
+  }
+  Index vertex = 0;
+  while (vertex < topology.vertexCount() && isAsked[topology.component(vertex)] != 0)
+  {
+    ++vertex;
+  }
+  require(vertex == topology.vertexCount(),
+    "critical points on each of the " + std::to_string(topology.componentCount()) +
+      " connected components",
+    "none on the one of point " + std::to_string(nameOfVertex(vertex, mesh.nameOf())),
+    "Choose a point there, or take one component with Connectivity and Threshold.");
+}
+
 } // namespace
 
 void checkDesign(const DesignParameters& parameters)
@@ -67,7 +100,6 @@ void checkRequests(
   require(!requests.empty(), "at least one critical point", "none",
     "Choose points with a CriticalType, or a template function.");
   std::map<Index, std::size_t> known;
-  std::vector<char> isAsked(topology.componentCount(), 0);
   std::size_t constraintCount = 0;
   for (std::size_t i = 0; i < requests.size(); ++i)
   {
@@ -77,7 +109,6 @@ void checkRequests(
       nameOf(same->second) + " and " + nameOf(i) + " both at point " +
         std::to_string(nameOfVertex(requests[i].vertex, mesh.nameOf())),
       "Remove one of them, or move it by an edge or more.");
-    isAsked[topology.component(requests[i].vertex)] = 1;
     constraintCount += 1 + topology.link(requests[i].vertex).size();
   }
   require(constraintCount <= MostConstraints,
@@ -85,14 +116,8 @@ void checkRequests(
       " vertices",
     std::to_string(requests.size()) + " with " + std::to_string(constraintCount),
     "Raise PersistenceThreshold, or choose fewer points.");
-  for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
-  {
-    require(isAsked[topology.component(vertex)] != 0,
-      "critical points on each of the " + std::to_string(topology.componentCount()) +
-        " connected components",
-      "none on the one of point " + std::to_string(nameOfVertex(vertex, mesh.nameOf())),
-      "Choose a point there, or take one component with Connectivity and Threshold.");
-  }
+  checkRange(requests);
+  checkComponents(mesh, requests);
 }
 
 } // namespace SurfaceScalars

@@ -174,7 +174,7 @@ void sweepBoth(const MeshTopology& mesh, const ValuesRef& values, const Extremal
 {
   const ValueOrder isBelow{ values.data() };
   const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
-  const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
+  const MeshLinks neighborsOf{ mesh };
   const MergeTrees trees =
     MergeTreesBuilder(mesh.vertexCount(), neighborsOf, isBelow, execution.part(0.0, 0.7)).build();
   parallelForEach(2, execution.part(0.7, 1.0),

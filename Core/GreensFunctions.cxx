@@ -14,7 +14,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr Index None = std::numeric_limits<Index>::max();
 constexpr std::size_t Block = 16;       // columns solved for at once
-constexpr std::size_t MostKnown = 4000; // entries of 128 MB
+constexpr std::size_t MostKnown = 1000; // beyond, what is no longer asked for is forgotten
 
 /// S with the diagonal of the first vertex of each component doubled: positive definite.
 std::shared_ptr<const Matrix> groundedStiffness(

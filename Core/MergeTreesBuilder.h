@@ -3,10 +3,12 @@
 #include "DisjointSets.h"
 #include "Execution.h"
 #include "MergeTree.h"
+#include "MeshLinks.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,8 @@ namespace SurfaceScalars
  * sorted, few unless the function is noise. Time O(edges + m log m) for m of those. Results do not
  * depend on the number of threads.
  *
- * @param neighborsOf of an index: a range of indices; one of the two ends of an edge has to name it
+ * @param neighborsOf of an index: a range of indices; one of the two ends of an edge has to name
+ * it. Of MeshLinks only the places are looked at where components can merge
  * @param isBelow the order, as ValueOrder
  */
 template <class Adjacency, class Order>
@@ -43,7 +46,10 @@ public:
   MergeTrees build()
   {
     this->hangOnNamed();
-    this->hangOnNaming();
+    if constexpr (!AreLinks)
+    {
+      this->hangOnNaming();
+    }
     this->findBasins();
     this->findPasses();
     this->merge();
@@ -52,12 +58,14 @@ public:
 
 private:
   static constexpr std::size_t Grain = 1 << 14; // vertices per block of a parallel loop
-  static constexpr std::size_t Up = 0;          // the order itself
-  static constexpr std::size_t Down = 1;        // the other way round
+  static constexpr bool AreLinks = std::is_same_v<Adjacency, MeshLinks>; // both ends name an edge
+  static constexpr std::size_t Up = 0;                                   // the order itself
+  static constexpr std::size_t Down = 1;                                 // the other way round
 
   /// An edge between basins, passable from its later end on.
   struct Pass
   {
+    double value; ///< of the vertex: sorting need not look it up
     Index vertex;
     Index a;
     Index b;
@@ -219,6 +227,12 @@ private:
     BothSweeps<Pass> passes = this->template collect<Pass>(this->execution_.part(0.7, 0.9),
       [&](Index vertex, BothSweeps<Pass>& found)
       {
+        if constexpr (AreLinks)
+        {
+          this->addPassesOfLink(Up, vertex, found[Up]);
+          this->addPassesOfLink(Down, vertex, found[Down]);
+          return;
+        }
         const auto& around = this->neighborsOf_(vertex);
         const auto isElsewhere = [&, ofUp = up[vertex], ofDown = down[vertex]](Index neighbor)
         { return up[neighbor] != ofUp || down[neighbor] != ofDown; };
@@ -230,6 +244,25 @@ private:
       });
     this->sweeps_[Up].passes = std::move(passes[Up]);
     this->sweeps_[Down].passes = std::move(passes[Down]);
+  }
+
+  void addPassesOfLink(std::size_t sweep, Index vertex, std::vector<Pass>& passes) const
+  {
+    const std::vector<Index>& basins = this->sweeps_[sweep].tree.basins;
+    this->neighborsOf_.forEachOfSeveralParts(
+      vertex, [&](Index neighbor) { return this->isBefore(sweep, neighbor, vertex); },
+      [&](Index neighbor)
+      {
+        if (basins[neighbor] != basins[vertex])
+        {
+          passes.push_back(this->pass(vertex, basins[vertex], basins[neighbor]));
+        }
+      });
+  }
+
+  Pass pass(Index vertex, Index a, Index b) const
+  {
+    return { this->isBelow_.value(vertex), vertex, a, b };
   }
 
   void addPasses(std::size_t sweep, Index vertex, std::vector<Pass>& passes) const
@@ -246,14 +279,14 @@ private:
       {
         if (!this->names(neighbor, vertex))
         {
-          passes.push_back({ neighbor, basins[neighbor], basins[vertex] });
+          passes.push_back(this->pass(neighbor, basins[neighbor], basins[vertex]));
         }
       }
       else if (std::none_of(passes.begin() + known, passes.end(),
                  [&](const Pass& pass)
                  { return pass.vertex == vertex && pass.b == basins[neighbor]; }))
       {
-        passes.push_back({ vertex, basins[vertex], basins[neighbor] });
+        passes.push_back(this->pass(vertex, basins[vertex], basins[neighbor]));
       }
     }
   }
@@ -274,7 +307,11 @@ private:
   {
     Sweep& of = this->sweeps_[sweep];
     std::sort(of.passes.begin(), of.passes.end(),
-      [=](const Pass& a, const Pass& b) { return this->isBefore(sweep, a.vertex, b.vertex); });
+      [=](const Pass& a, const Pass& b)
+      {
+        return a.value == b.value ? this->isBefore(sweep, a.vertex, b.vertex)
+                                  : (a.value < b.value) == (sweep == Up);
+      });
     for (const Pass& pass : of.passes)
     {
       Index elder = of.sets.find(pass.a);

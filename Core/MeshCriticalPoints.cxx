@@ -19,7 +19,7 @@ namespace
 MergeTrees meshMergeTrees(
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
 {
-  const auto neighborsOf = [&](Index vertex) { return mesh.link(vertex); };
+  const MeshLinks neighborsOf{ mesh };
   const ValueOrder isBelow{ values.data() };
   return MergeTreesBuilder(mesh.vertexCount(), neighborsOf, isBelow, execution).build();
 }
@@ -56,11 +56,15 @@ public:
     , values_(values)
     , pointOfVertex_(mesh.vertexCount(), 0)
   {
+    const std::size_t most =
+      std::size_t(types.counts.minima) + types.counts.saddles + types.counts.maxima;
+    this->result_.points.reserve(most);
+    this->result_.pairs.reserve(most / 2);
     for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
     {
       if (types.types[vertex] != CriticalType::Regular)
       {
-        this->pointOfVertex_[vertex] = this->result_.points.size();
+        this->pointOfVertex_[vertex] = static_cast<Index>(this->result_.points.size());
         CriticalPoint point;
         point.position = vertices.col(vertex);
         point.type = types.types[vertex];
@@ -115,8 +119,8 @@ public:
 private:
   const MeshTopology& mesh_;
   const ValuesRef& values_;
-  std::vector<std::size_t> pointOfVertex_; ///< of critical ones
-  std::vector<int> ended_;                 ///< in how many pairs each point is, with its image
+  std::vector<Index> pointOfVertex_; ///< of critical ones
+  std::vector<int> ended_;           ///< in how many pairs each point is, with its image
   MeshCriticalPoints result_;
 };
 

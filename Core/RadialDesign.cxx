@@ -1,14 +1,18 @@
 #include "RadialDesign.h"
 
+#include "Error.h"
 #include "LinearTerms.h"
+#include "Orientation.h"
 #include "Places.h"
 #include "RadialRefusal.h"
+#include "Require.h"
 #include "RidgeSystem.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <limits>
+#include <string>
 
 namespace SurfaceScalars
 {
@@ -36,42 +40,37 @@ Values valuesOf(const std::vector<ValueConstraint>& constraints)
   return result;
 }
 
-/// Where the triangles' corners run counterclockwise; weighted by area.
-Points vertexNormals(const DesignMesh& mesh)
+/// Away from the origin, or upwards, whichever way triangles run.
+Vector3d normalAt(const DesignMesh& mesh, Index vertex, const Vector3d& origin)
 {
   const Points& vertices = mesh.vertices();
-  Points result = Points::Zero(3, vertices.cols());
-  for (const auto corners : mesh.topology().triangles().colwise())
+  const Vector3d place = vertices.col(vertex);
+  const VertexRange path = mesh.topology().linkPath(vertex);
+  Vector3d normal = Vector3d::Zero();
+  for (const Index* edge = path.begin(); edge + 1 != path.end(); ++edge)
   {
-    const Vector3d first = vertices.col(corners[0]);
-    const Vector3d normal =
-      (vertices.col(corners[1]) - first).cross(vertices.col(corners[2]) - first);
-    for (const Index corner : corners)
-    {
-      result.col(corner) += normal;
-    }
+    normal += (vertices.col(edge[0]) - place).cross(vertices.col(edge[1]) - place);
   }
-  result.colwise().normalize();
-  return result;
+  normal.normalize();
+  return isOutwards(place - origin, normal) ? normal : Vector3d(-normal);
 }
 
 Points offsetCenters(const DesignMesh& mesh, const std::vector<ValueConstraint>& constraints)
 {
   const Points& vertices = mesh.vertices();
-  const Points normals = vertexNormals(mesh);
-  Points result = centersOf(vertices, constraints);
-  for (std::size_t i = 0; i < constraints.size(); ++i)
-  {
-    const Index vertex = constraints[i].vertex;
-    const VertexRange link = mesh.topology().link(vertex);
-    double length = 0.0;
-    for (const Index neighbor : link)
+  const Vector3d origin = vertices.rowwise().mean();
+  return placesOf(constraints,
+    [&](const ValueConstraint& constraint) -> Vector3d
     {
-      length += (vertices.col(neighbor) - vertices.col(vertex)).norm() / link.size();
-    }
-    result.col(static_cast<Eigen::Index>(i)) += OffsetInEdges * length * normals.col(vertex);
-  }
-  return result;
+      const Vector3d place = vertices.col(constraint.vertex);
+      const VertexRange link = mesh.topology().link(constraint.vertex);
+      double length = 0.0;
+      for (const Index neighbor : link)
+      {
+        length += (vertices.col(neighbor) - place).norm() / link.size();
+      }
+      return place + OffsetInEdges * length * normalAt(mesh, constraint.vertex, origin);
+    });
 }
 
 /// sum a_j / |p - c_j| with this sum at the constraints.
@@ -104,6 +103,8 @@ Values harmonicThrough(const DesignMesh& mesh, const std::vector<ValueConstraint
         result[i] = rowAt(mesh.vertices().col(i)).dot(coefficients);
       }
     });
+  require(result.allFinite(), "vertices beside the offset centers of the Harmonic kernel",
+    "one at a center", "Choose the Cubic Kernel.");
   return result;
 }
 
@@ -117,8 +118,18 @@ Field RadialDesign::field(const std::vector<ValueConstraint>& constraints, doubl
   parameters.kernel = this->kernel_;
   parameters.kernelWidth = this->kernelWidth_;
   parameters.regularization = regularization;
-  return Field::fit(
-    centersOf(this->mesh_.vertices(), constraints), valuesOf(constraints), parameters, execution);
+  try
+  {
+    return Field::fit(
+      centersOf(this->mesh_.vertices(), constraints), valuesOf(constraints), parameters, execution);
+  }
+  catch (const InvalidInput&) // what it advises is not to be chosen here
+  {
+    throw InvalidInput(std::string("a system of ") + nameOf(this->kernel_) +
+        " kernels that can be solved at machine precision",
+      "a singular one of " + std::to_string(constraints.size()) + " vertices",
+      "Choose the Cubic Kernel, a smaller KernelWidth, or points farther apart.");
+  }
 }
 
 Values RadialDesign::through(

@@ -160,6 +160,11 @@ void Reconciliation::bound(Index neighbor, std::size_t request, double differenc
   }
   SharedVertex& vertex = this->shared_[neighbor];
   const double value = this->requests_[request].value;
+  require(std::isfinite(difference) && value + difference != value,
+    "values far enough apart to differ around each critical point",
+    textOf(difference) + " between the value " + textOf(value) + " of " + this->nameOf_(request) +
+      " and a neighbor",
+    "Move the point, or choose values that differ by more beside their size.");
   if (difference > 0.0 && value > vertex.lower)
   {
     vertex.lower = value;

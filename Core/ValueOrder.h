@@ -15,7 +15,9 @@ struct ValueOrder
 
   bool operator()(Index a, Index b) const
   {
-    return this->values[a] < this->values[b] || (this->values[a] == this->values[b] && a < b);
+    const double first = this->values[a];
+    const double second = this->values[b];
+    return a < b ? first <= second : first < second; // noise makes branches slow
   }
 };
 

@@ -141,7 +141,13 @@ TEST(FunctionDesignInput, refusesParameters)
   parameters.constraints = DesignConstraints::Interpolating;
   parameters.kernel = KernelType::Gaussian;
   parameters.kernelWidth = 1e3;
-  EXPECT_THAT(refusal(mesh, requests, parameters), HasSubstr("condition"));
+  EXPECT_THAT(refusal(mesh, requests, parameters), HasSubstr("Gaussian kernels"));
+
+  // Values that cannot differ around their points.
+  EXPECT_THAT(refusal(mesh, { asked(0, Minimum, 1, 1e17), asked(30, Maximum, 1, 1e17 + 64) }),
+    HasSubstr("differ around each critical point"));
+  EXPECT_THAT(refusal(mesh, { asked(0, Minimum, 1, -1.7e308), asked(30, Maximum, 1, 1.7e308) }),
+    HasSubstr("Choose another unit"));
 }
 
 // One point, one type, values that say nothing: a function all the same, in which what is asked for
