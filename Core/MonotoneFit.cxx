@@ -17,12 +17,12 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 struct Bound
 {
   double extreme = -Infinity; ///< the largest f
-  double given = -Infinity;   ///< the largest f of a given minimum
+  double given = -Infinity;   ///< the largest f of vertices that keep it
 };
 
 /// @param sign -1 for -f in the reversed order: what the vertices above say
 std::vector<Bound> boundsFromBelow(const MeshTopology& mesh, const VertexOrder& order,
-  const ValuesRef& values, const ExtremumSigns& signs, int sign, const Poll& poll)
+  const ValuesRef& values, const ExtremumSigns& isKept, int sign, const Poll& poll)
 {
   std::vector<Bound> bounds(order.size());
   for (Index count = 0; count < order.size(); ++count)
@@ -34,7 +34,7 @@ std::vector<Bound> boundsFromBelow(const MeshTopology& mesh, const VertexOrder& 
     const Index vertex = order.vertexAt(sign > 0 ? count : order.size() - 1 - count);
     Bound bound;
     bound.extreme = sign * values[vertex];
-    if (signs[vertex] == sign)
+    if (isKept[vertex] != 0)
     {
       bound.given = bound.extreme;
     }
@@ -102,7 +102,7 @@ void separate(
 } // namespace
 
 Values fitMonotone(const MeshTopology& mesh, const VertexOrder& order, const ValuesRef& values,
-  const ExtremumSigns& signs, const Execution& execution)
+  const ExtremumSigns& isKept, const Execution& execution)
 {
   std::vector<Bound> below;
   std::vector<Bound> above;
@@ -110,7 +110,7 @@ Values fitMonotone(const MeshTopology& mesh, const VertexOrder& order, const Val
     [&](std::size_t which, const Poll& poll)
     {
       (which == 0 ? below : above) =
-        boundsFromBelow(mesh, order, values, signs, which == 0 ? 1 : -1, poll);
+        boundsFromBelow(mesh, order, values, isKept, which == 0 ? 1 : -1, poll);
     });
   Values result(values.size());
   for (Index vertex = 0; vertex < order.size(); ++vertex)
