@@ -2,8 +2,6 @@
 
 #include "KrylovSolver.h"
 
-#include <utility>
-
 namespace SurfaceScalars
 {
 namespace
@@ -11,10 +9,18 @@ namespace
 
 constexpr double Goal = 1e-11; // of the estimated error, relative to the solution
 
+/// Eigen copies sparse matrices that one means to move.
+RowMatrix take(RowMatrix& matrix)
+{
+  RowMatrix result;
+  result.swap(matrix);
+  return result;
+}
+
 } // namespace
 
 EllipticSolver::EllipticSolver(RowMatrix&& matrix, bool isSymmetric, const Execution& execution)
-  : matrix_(std::move(matrix))
+  : matrix_(take(matrix))
   , preconditioner_(this->matrix_, isSymmetric, execution)
   , isSymmetric_(isSymmetric)
 {
