@@ -1,5 +1,7 @@
 #include "AcceleratedMultigrid.h"
 
+#include "RowOrder.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -12,6 +14,7 @@ namespace SurfaceScalars
 namespace
 {
 
+constexpr int NearRows = 8192; // whose values caches hold
 constexpr int EstimationSteps = 8;
 constexpr double Margin = 0.9; // of an estimate from above
 constexpr double MostLeast = 0.999;
@@ -21,7 +24,10 @@ constexpr double Negligible = 1e-20; // what is left of a square: the method has
 
 AcceleratedMultigrid::AcceleratedMultigrid(
   const RowMatrix& matrix, double error, const Execution& execution)
-  : multigrid_(matrix, true, execution.part(0.0, 0.6))
+  : order_(orderOfRows(matrix, NearRows))
+  , multigrid_(this->order_.empty()
+        ? Multigrid(matrix, true, execution.part(0.0, 0.6))
+        : Multigrid(inOrder(matrix, this->order_), true, execution.part(0.0, 0.6)))
   , least_(this->estimateLeast(matrix.rows(), execution.part(0.6, 1.0)))
   , cycleCount_(static_cast<int>(
       std::ceil(std::acosh(1.0 / error) / std::acosh((1.0 + this->least_) / (1.0 - this->least_)))))
@@ -68,6 +74,17 @@ double AcceleratedMultigrid::estimateLeast(Eigen::Index rows, const Execution& e
 }
 
 Values AcceleratedMultigrid::apply(const Values& right, const Execution& execution) const
+{
+  if (this->order_.empty())
+  {
+    return this->applyInOrder(right, execution);
+  }
+  Values result(right.size());
+  result(this->order_) = this->applyInOrder(right(this->order_), execution);
+  return result;
+}
+
+Values AcceleratedMultigrid::applyInOrder(const Values& right, const Execution& execution) const
 {
   const double center = 0.5 * (1.0 + this->least_);
   const double radius = 0.5 * (1.0 - this->least_);

@@ -2,13 +2,16 @@
 
 #include "Multigrid.h"
 
+#include <vector>
+
 namespace SurfaceScalars
 {
 
 /**
  * Approximates the inverse of a symmetric matrix up to a given relative error: V-cycles, combined
  * by the polynomial of Chebyshev for the range of the eigenvalues of cycle times matrix, whose
- * greatest is 1 and whose least is estimated. Linear, symmetric and positive definite.
+ * greatest is 1 and whose least is estimated. Linear, symmetric and positive definite. Rows may be
+ * in any order.
  */
 class AcceleratedMultigrid
 {
@@ -23,7 +26,9 @@ public:
 
 private:
   double estimateLeast(Eigen::Index rows, const Execution& execution) const;
+  Values applyInOrder(const Values& right, const Execution& execution) const;
 
+  std::vector<int> order_; ///< of rows in multigrid_; empty if as they are given
   Multigrid multigrid_;
   double least_; ///< eigenvalue
   int cycleCount_;
