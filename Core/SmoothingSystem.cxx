@@ -94,10 +94,10 @@ void SmoothingSystem::factor(double weight, const Execution& execution)
   }
 }
 
-/// @returns whether that is worthwhile: not where cycles did not do before
+/// @returns whether that is worthwhile: it does not depend on what was solved before
 bool SmoothingSystem::prepareCycles(double weight, const Execution& execution)
 {
-  if (!this->isSplit() || this->cholesky_ || this->stiffness_.rows() <= MostFactored)
+  if (!this->isSplit() || this->stiffness_.rows() <= MostFactored)
   {
     return false;
   }
