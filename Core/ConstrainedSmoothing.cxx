@@ -118,8 +118,8 @@ double persistenceOfNoise(const MeshTopology& mesh, const ValuesRef& values)
   return 2.0 * noiseOf(mesh, values) * std::sqrt(2.0 * std::log(2.0 * count / Improbable));
 }
 
-/// The extrema that are to be kept, placed by further smoothing as far as the noise that is left
-/// allows.
+/// The extrema that are to be kept, placed by further smoothing and fits as far as the noise that
+/// is left allows.
 ExtremalVertices placedFeatures(const SmoothingData& data, const SmoothingParameters& parameters,
   double epsilon, const Execution& execution)
 {
@@ -128,11 +128,12 @@ ExtremalVertices placedFeatures(const SmoothingData& data, const SmoothingParame
   const double length = smoother.smoothingLength(epsilon);
   const ExtremalVertices kept = extremaToKeep(data, parameters, execution.part(0.0, 0.3));
   const Values further = smoother.smooth(
-    data.input, smoother.epsilonOfLength(PlacingLength * length), execution.part(0.3, 1.0));
+    data.input, smoother.epsilonOfLength(PlacingLength * length), execution.part(0.3, 0.8));
   // The integral of the squared gain over all frequencies: a sixteenth of the vertices per length.
   const double perLength = std::sqrt(smoother.area() / topology.vertexCount()) / length;
   const double left = noiseOf(topology, data.input) * std::min(1.0, perLength / 4.0);
-  return placed(topology, data.smooth, kept, further, PlacingNoise * left);
+  return placed({ topology, data.mesh.vertices(), data.input, data.smooth, length }, kept, further,
+    PlacingNoise * left, execution.part(0.8, 1.0));
 }
 
 /// What is left of f, and which extrema it is promised to have.

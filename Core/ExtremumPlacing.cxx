@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace SurfaceScalars
@@ -108,7 +109,8 @@ private:
 };
 
 /// Undoes moves until keepExtrema() can keep all: as it could before any move.
-void undoClashes(const MeshTopology& mesh, ExtremalVertices& moved, const ExtremalVertices& before)
+ExtremalVertices withoutClashes(
+  const MeshTopology& mesh, ExtremalVertices moved, const ExtremalVertices& before)
 {
   Occupation occupation(mesh, moved);
   for (bool isUndone = true; isUndone;)
@@ -116,23 +118,51 @@ void undoClashes(const MeshTopology& mesh, ExtremalVertices& moved, const Extrem
     isUndone = occupation.undoMinima(moved.minima, before.minima);
     isUndone = occupation.undoMaxima(moved.maxima, before.maxima) || isUndone;
   }
+  return moved;
 }
 
-} // namespace
-
-ExtremalVertices placed(const MeshTopology& mesh, const Values& smooth,
-  const ExtremalVertices& extrema, const Values& further, double tolerance)
+ExtremalVertices movedFurther(const NoisyFunction& function, const ExtremalVertices& extrema,
+  const Values& further, double tolerance)
 {
   const ValueOrder isBelow{ further.data() };
   const auto isAbove = [&](Index a, Index b) { return isBelow(b, a); };
   const auto isNear = [&](Index a, Index b)
-  { return std::abs(smooth[a] - smooth[b]) <= tolerance; };
-  ExtremalVertices moved{ movedAlong(mesh, extrema.minima, isBelow, isNear),
-    movedAlong(mesh, extrema.maxima, isAbove, isNear) };
-  undoClashes(mesh, moved, extrema);
-  std::sort(moved.minima.begin(), moved.minima.end());
-  std::sort(moved.maxima.begin(), moved.maxima.end());
-  return moved;
+  { return std::abs(function.smooth[a] - function.smooth[b]) <= tolerance; };
+  return withoutClashes(function.mesh,
+    { movedAlong(function.mesh, extrema.minima, isBelow, isNear),
+      movedAlong(function.mesh, extrema.maxima, isAbove, isNear) },
+    extrema);
+}
+
+/// @param extrema those that moved, in the same order
+ExtremalVertices fitted(const NoisyFunction& function, const ExtremalVertices& extrema,
+  const ExtremalVertices& moved, double tolerance, const Execution& execution)
+{
+  ExtremalVertices result = moved;
+  const std::size_t minimaCount = moved.minima.size();
+  parallelForEach(minimaCount + moved.maxima.size(), execution,
+    [&](std::size_t i, const Poll& poll)
+    {
+      const bool isMinimum = i < minimaCount;
+      const std::size_t place = isMinimum ? i : i - minimaCount;
+      Index& vertex = (isMinimum ? result.minima : result.maxima)[place];
+      const Index before = (isMinimum ? extrema.minima : extrema.maxima)[place];
+      vertex = fittedExtremum(
+        function, vertex, function.smooth[before], tolerance, isMinimum ? -1.0 : 1.0, poll);
+    });
+  return withoutClashes(function.mesh, std::move(result), moved);
+}
+
+} // namespace
+
+ExtremalVertices placed(const NoisyFunction& function, const ExtremalVertices& extrema,
+  const Values& further, double tolerance, const Execution& execution)
+{
+  const ExtremalVertices moved = movedFurther(function, extrema, further, tolerance);
+  ExtremalVertices result = fitted(function, extrema, moved, tolerance, execution);
+  std::sort(result.minima.begin(), result.minima.end());
+  std::sort(result.maxima.begin(), result.maxima.end());
+  return result;
 }
 
 } // namespace SurfaceScalars
