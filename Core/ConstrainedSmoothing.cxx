@@ -8,6 +8,8 @@
 #include "SmoothingFeatures.h"
 #include "TopologicalSimplification.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -118,6 +120,21 @@ double persistenceOfNoise(const MeshTopology& mesh, const ValuesRef& values)
   return 2.0 * noiseOf(mesh, values) * std::sqrt(2.0 * std::log(2.0 * count / Improbable));
 }
 
+double areaOf(const SmoothingMesh& mesh)
+{
+  const Triangles& triangles = mesh.topology().triangles();
+  const Points& vertices = mesh.vertices();
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < triangles.cols(); ++i)
+  {
+    const Vector3d corner = vertices.col(triangles(0, i));
+    const Vector3d a = vertices.col(triangles(1, i)) - corner;
+    const Vector3d b = vertices.col(triangles(2, i)) - corner;
+    sum += 0.5 * a.cross(b).norm();
+  }
+  return sum;
+}
+
 /// The extrema that are to be kept, placed by further smoothing and fits as far as the noise that
 /// is left allows.
 ExtremalVertices placedFeatures(const SmoothingData& data, const SmoothingParameters& parameters,
@@ -131,9 +148,12 @@ ExtremalVertices placedFeatures(const SmoothingData& data, const SmoothingParame
     data.input, smoother.epsilonOfLength(PlacingLength * length), execution.part(0.3, 0.8));
   // The integral of the squared gain over all frequencies: a sixteenth of the vertices per length.
   const double perLength = std::sqrt(smoother.area() / topology.vertexCount()) / length;
-  const double left = noiseOf(topology, data.input) * std::min(1.0, perLength / 4.0);
-  return placed({ topology, data.mesh.vertices(), data.input, data.smooth, length }, kept, further,
-    PlacingNoise * left, execution.part(0.8, 1.0));
+  const double noise = noiseOf(topology, data.input);
+  const double left = noise * std::min(1.0, perLength / 4.0);
+  // The smoother measures areas as its weights do.
+  const double unit = std::sqrt(areaOf(data.mesh) / smoother.area());
+  return placed({ topology, data.mesh.vertices(), data.input, data.smooth, unit * length, noise },
+    kept, further, PlacingNoise * left, execution.part(0.8, 1.0));
 }
 
 /// What is left of f, and which extrema it is promised to have.

@@ -137,7 +137,9 @@ private:
     {
       return true;
     }
-    const SpatialQuadric quadric = this->moments_.solve();
+    SpatialQuadric quadric = this->moments_.solve();
+    const double noise = this->function_.noise;
+    quadric.variance = std::min(quadric.variance, noise * noise); // the rest is f
     const bool isAgreed = std::all_of(this->fits_.begin(), this->fits_.end(),
       [&](const Fit& fit) { return areAlike(fit.quadric, quadric, fit.spread); });
     if (isAgreed)
@@ -156,9 +158,9 @@ private:
   std::vector<Fit> fits_;              ///< those that agree
 };
 
-/// The vertices within a radius that a path of such leads to along which smooth is near the value.
+/// The vertices within a radius that a path of such leads to along which smooth is nearly the same.
 std::vector<Index> candidatesOf(
-  const NoisyFunction& function, Index center, double radius, double value, double tolerance)
+  const NoisyFunction& function, Index center, double radius, double tolerance)
 {
   std::vector<Index> result{ center };
   std::unordered_set<Index> known{ center };
@@ -167,7 +169,8 @@ std::vector<Index> candidatesOf(
     for (const Index neighbor : function.mesh.link(result[i]))
     {
       if (distance(function, neighbor, center) <= radius &&
-        std::abs(function.smooth[neighbor] - value) <= tolerance && known.insert(neighbor).second)
+        std::abs(function.smooth[neighbor] - function.smooth[center]) <= tolerance &&
+        known.insert(neighbor).second)
       {
         result.push_back(neighbor);
       }
@@ -199,8 +202,8 @@ Vector3d likelyPlace(const NoisyFunction& function, const LargestQuadric& quadri
 
 } // namespace
 
-Index fittedExtremum(const NoisyFunction& function, Index vertex, double value, double tolerance,
-  double sign, const Poll& poll)
+Index fittedExtremum(
+  const NoisyFunction& function, Index vertex, double tolerance, double sign, const Poll& poll)
 {
   const LargestQuadric quadric(function, vertex, poll);
   if (!quadric.isWorthIt())
@@ -208,7 +211,7 @@ Index fittedExtremum(const NoisyFunction& function, Index vertex, double value, 
     return vertex;
   }
   const std::vector<Index> candidates =
-    candidatesOf(function, vertex, 0.5 * quadric.radius(), value, tolerance);
+    candidatesOf(function, vertex, 0.5 * quadric.radius(), tolerance);
   const auto leastOf = [&](const auto& quantity)
   {
     return *std::min_element(candidates.begin(), candidates.end(),

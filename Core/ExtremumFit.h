@@ -14,6 +14,7 @@ struct NoisyFunction
   const ValuesRef& values;
   const Values& smooth;
   double length; ///< that smooth was smoothed with
+  double noise;  ///< its standard deviation
 };
 
 /**
@@ -28,17 +29,16 @@ struct NoisyFunction
  * one. If that is less than six smoothing lengths, f is no such function there, and the vertex
  * remains.
  *
- * Of the vertices that a path leads to along which smooth is nearly what it is to be, within half
- * the window, the one with the extreme value of the quadric is taken; or rather that nearest to the
+ * Of the vertices that a path leads to along which smooth is nearly the same, within half the
+ * window, the one with the extreme value of the quadric is taken; or rather that nearest to the
  * mean of those within a smoothing length of it that may be as extreme, weighted by the likelihood:
  * which one it is, noise may not tell.
  *
  * @param vertex near the extremum
- * @param value of smooth at the extremum
- * @param tolerance by which smooth may differ from the value
+ * @param tolerance by which smooth may differ from that at the vertex
  * @param sign 1 for a maximum, -1 for a minimum
  */
-Index fittedExtremum(const NoisyFunction& function, Index vertex, double value, double tolerance,
-  double sign, const Poll& poll);
+SURFACESCALARSCORE_EXPORT Index fittedExtremum(
+  const NoisyFunction& function, Index vertex, double tolerance, double sign, const Poll& poll);
 
 } // namespace SurfaceScalars

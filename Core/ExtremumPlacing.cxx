@@ -134,23 +134,19 @@ ExtremalVertices movedFurther(const NoisyFunction& function, const ExtremalVerti
     extrema);
 }
 
-/// @param extrema those that moved, in the same order
 ExtremalVertices fitted(const NoisyFunction& function, const ExtremalVertices& extrema,
-  const ExtremalVertices& moved, double tolerance, const Execution& execution)
+  double tolerance, const Execution& execution)
 {
-  ExtremalVertices result = moved;
-  const std::size_t minimaCount = moved.minima.size();
-  parallelForEach(minimaCount + moved.maxima.size(), execution,
+  ExtremalVertices result = extrema;
+  const std::size_t minimaCount = extrema.minima.size();
+  parallelForEach(minimaCount + extrema.maxima.size(), execution,
     [&](std::size_t i, const Poll& poll)
     {
       const bool isMinimum = i < minimaCount;
-      const std::size_t place = isMinimum ? i : i - minimaCount;
-      Index& vertex = (isMinimum ? result.minima : result.maxima)[place];
-      const Index before = (isMinimum ? extrema.minima : extrema.maxima)[place];
-      vertex = fittedExtremum(
-        function, vertex, function.smooth[before], tolerance, isMinimum ? -1.0 : 1.0, poll);
+      Index& vertex = isMinimum ? result.minima[i] : result.maxima[i - minimaCount];
+      vertex = fittedExtremum(function, vertex, tolerance, isMinimum ? -1.0 : 1.0, poll);
     });
-  return withoutClashes(function.mesh, std::move(result), moved);
+  return withoutClashes(function.mesh, std::move(result), extrema);
 }
 
 } // namespace
@@ -158,8 +154,8 @@ ExtremalVertices fitted(const NoisyFunction& function, const ExtremalVertices& e
 ExtremalVertices placed(const NoisyFunction& function, const ExtremalVertices& extrema,
   const Values& further, double tolerance, const Execution& execution)
 {
-  const ExtremalVertices moved = movedFurther(function, extrema, further, tolerance);
-  ExtremalVertices result = fitted(function, extrema, moved, tolerance, execution);
+  ExtremalVertices result =
+    fitted(function, movedFurther(function, extrema, further, tolerance), tolerance, execution);
   std::sort(result.minima.begin(), result.minima.end());
   std::sort(result.maxima.begin(), result.maxima.end());
   return result;

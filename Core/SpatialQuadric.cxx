@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr double Determined = 1e-9; // of the largest eigenvalue: below, a quadric that vanishes
-constexpr double MostDeviations = 4.0;
+constexpr double MostDeviations = 6.0;
+constexpr double Rounding = 1e-16; // squared, of the values
 
 } // namespace
 
@@ -50,8 +51,9 @@ SpatialQuadric QuadricMoments::solve() const
   quadric.coefficients = quadric.inverse * this->right_;
   const auto unknowns = static_cast<Index>((inverted.array() > 0.0).count());
   const double residual = this->squares_ - quadric.coefficients.dot(this->right_);
-  quadric.variance =
-    this->count_ > unknowns ? std::max(0.0, residual) / (this->count_ - unknowns) : 0.0;
+  quadric.variance = this->count_ > unknowns
+    ? std::max(Rounding * this->squares_, residual) / (this->count_ - unknowns)
+    : 0.0;
   return quadric;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Basics.h"
+#include "SurfaceScalarsCoreExport.h"
 
 namespace SurfaceScalars
 {
@@ -10,14 +11,14 @@ using QuadricVector = Eigen::Matrix<double, QuadricTerms, 1>;
 using QuadricMatrix = Eigen::Matrix<double, QuadricTerms, QuadricTerms>;
 
 /// 1, the coordinates and their products.
-QuadricVector quadricTerms(const Vector3d& place);
+SURFACESCALARSCORE_EXPORT QuadricVector quadricTerms(const Vector3d& place);
 
 /// The least-squares polynomial of degree 2 in space through values on a surface.
 struct SpatialQuadric
 {
   QuadricVector coefficients;
   QuadricMatrix inverse; ///< of the normal matrix; where that has none, of what it determines
-  double variance;       ///< of the residuals
+  double variance;       ///< of the residuals, at least that of rounding
 
   /// The variance of the difference between two places, given that of their terms.
   double ofDifference(const QuadricVector& terms) const
@@ -27,7 +28,7 @@ struct SpatialQuadric
 };
 
 /// What a least-squares quadric needs to know of the values at some places.
-class QuadricMoments
+class SURFACESCALARSCORE_EXPORT QuadricMoments
 {
 public:
   void add(const Vector3d& place, double value);
@@ -52,11 +53,12 @@ private:
  * Whether two quadrics differ, but for a constant, by no more than noise explains. One is fitted to
  * some of the values of the other: if both are right, the covariance of the difference of their
  * coefficients is the difference of their covariances (Hausman, 1978). Compared is the sum of the
- * squares over some places with what is expected, and four standard deviations.
+ * squares over some places with what is expected and six standard deviations: noise alone exceeds
+ * that once in a thousand times, or less often.
  *
  * @param spread of these places
  */
-bool areAlike(
+SURFACESCALARSCORE_EXPORT bool areAlike(
   const SpatialQuadric& ofSome, const SpatialQuadric& ofAll, const QuadricMatrix& spread);
 
 } // namespace SurfaceScalars

@@ -1,5 +1,6 @@
 #include "SmoothingRun.h"
 
+#include "Meshes.h"
 #include "Sampling.h"
 
 #include <algorithm>
@@ -53,6 +54,19 @@ double largestDistance(
     }
   }
   return joined == features.size() ? largest : std::numeric_limits<double>::infinity();
+}
+
+SpaceFunction longWaves()
+{
+  return { "sin 3x cos 2y + 0.3 z",
+    [](const Vector3d& p) { return std::sin(3.0 * p.x()) * std::cos(2.0 * p.y()) + 0.3 * p.z(); },
+    {} };
+}
+
+SpaceFunction slantedHeight()
+{
+  return { "0.22 x + 0.52 y + 0.82 z",
+    [](const Vector3d& p) { return p.dot(Vector3d(0.22, 0.52, 0.82)); }, {} };
 }
 
 Values averaged(const TriangleMesh& mesh, const Values& values)
@@ -121,6 +135,22 @@ Values SmoothingCase::noisy(double noise, unsigned seed) const
   Values values = this->clean;
   addNoise(values, noise * this->range, seed);
   return values;
+}
+
+std::vector<SmoothingCase> smoothingCases(const std::string& folder, int fineness)
+{
+  std::vector<SmoothingCase> cases;
+  cases.emplace_back("sphere", subdividedSphere(5 + fineness), waves(), 0.06);
+  cases.emplace_back(
+    "torus", gridMesh(Grid::Torus, 140 * fineness, 70 * fineness), cosinesOfAngles(), 0.2);
+  if (!folder.empty())
+  {
+    const auto read = [&](const char* name) { return readCentered(folder + "/" + name + ".off"); };
+    cases.emplace_back("refined_elephant", read("refined_elephant"), waves(), 0.08);
+    cases.emplace_back("bunny00", read("bunny00"), longWaves(), 0.04);
+    cases.emplace_back("camel", read("camel"), slantedHeight(), 0.056);
+  }
+  return cases;
 }
 
 SmoothingScore scoreOf(const SmoothingCase& smoothingCase, const ValuesRef& values)

@@ -34,6 +34,10 @@ struct SmoothingCase
 /// sin 5x cos 4y + 0.3 z: of many surfaces some extrema persist much more than the others.
 SpaceFunction waves();
 
+/// Those of Documentation/smoothing-accuracy.md; without a folder of scans those of the sphere and
+/// the torus. @param fineness 1 or 2
+std::vector<SmoothingCase> smoothingCases(const std::string& folder, int fineness = 2);
+
 /// What came out, compared with the clean function.
 struct SmoothingScore
 {

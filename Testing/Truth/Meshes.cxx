@@ -154,6 +154,57 @@ TriangleMesh subdividedSphere(int levels)
   return mesh;
 }
 
+TriangleMesh octahedralSphere(int segments)
+{
+  // On the octahedron, places are whole numbers with |x| + |y| + |z| = segments.
+  std::map<Corner, int> names;
+  std::vector<Corner> corners;
+  const auto nameOf = [&](const Corner& corner)
+  {
+    const auto [found, isNew] = names.try_emplace(corner, static_cast<int>(corners.size()));
+    if (isNew)
+    {
+      corners.push_back(corner);
+    }
+    return found->second;
+  };
+  TriangleMesh mesh;
+  for (int face = 0; face < 8; ++face)
+  {
+    const std::array<int, 3> signs{ face & 1 ? -1 : 1, face & 2 ? -1 : 1, face & 4 ? -1 : 1 };
+    const bool isMirrored = signs[0] * signs[1] * signs[2] < 0;
+    const auto add = [&](Corner a, Corner b, Corner c)
+    {
+      for (Corner* corner : { &a, &b, &c })
+      {
+        std::transform(
+          corner->begin(), corner->end(), signs.begin(), corner->begin(), std::multiplies<>());
+      }
+      mesh.triangles.push_back(isMirrored ? std::array{ nameOf(b), nameOf(a), nameOf(c) }
+                                          : std::array{ nameOf(a), nameOf(b), nameOf(c) });
+    };
+    for (int x = 0; x < segments; ++x)
+    {
+      for (int y = 0; x + y < segments; ++y)
+      {
+        const int z = segments - x - y;
+        add({ x, y, z }, { x + 1, y, z - 1 }, { x, y + 1, z - 1 });
+        if (z > 1)
+        {
+          add({ x + 1, y, z - 1 }, { x + 1, y + 1, z - 2 }, { x, y + 1, z - 1 });
+        }
+      }
+    }
+  }
+  mesh.points.resize(3, static_cast<Eigen::Index>(corners.size()));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    mesh.points.col(static_cast<Eigen::Index>(i)) =
+      Vector3d(corners[i][0], corners[i][1], corners[i][2]).normalized();
+  }
+  return mesh;
+}
+
 TriangleMesh plateWithHoles(int holes, int levels)
 {
   std::vector<Corner> cubes;

@@ -25,6 +25,10 @@ TriangleMesh gridMesh(Grid grid, int columns, int rows);
 /// The unit sphere, an octahedron each of whose triangles is cut in four again and again: 2.
 TriangleMesh subdividedSphere(int levels);
 
+/// The unit sphere, an octahedron whose edges are cut into segments and whose triangles into their
+/// squares: 2. 4 segments^2 + 2 vertices.
+TriangleMesh octahedralSphere(int segments);
+
 /// The surface of a plate with holes in a row: 2 - 2 holes. @param levels as of the sphere
 TriangleMesh plateWithHoles(int holes, int levels);
 
