@@ -68,7 +68,8 @@ struct SmoothedFunction
  *    lowest and the highest vertex of each component are always kept.
  * 3. Where an extremum is, is a matter of the gradient, in which noise is stronger than in the
  *    values: each moves to the place it has if f is smoothed with 1.5 times the smoothing length,
- *    unless the values there and here differ by more than the noise that is left.
+ *    then to where a quadric in space has it that fits f on a large window, if one does
+ *    (ExtremumFit.h), unless the values there and here differ by more than the noise that is left.
  * 4. keepExtrema(): all other extrema, and the saddles that cancel them, are removed. The values
  *    are classified again, and compared with f: see `lost`.
  *
@@ -81,9 +82,9 @@ struct SmoothedFunction
  *   for; the two of each handle always remain. Where they lie is not promised.
  * - The result differs from Tikhonov's only around extrema that were removed or moved, by about
  *   half of the persistence removed; there it is nearly flat.
- * - How far an extremum is from that of f without noise depends on how curved f is there: within
- *   the smoothing length in the cases of Documentation/smoothing-accuracy.md, farther where f is
- *   flat.
+ * - How far an extremum is from that of f without noise depends on how curved f is there, and how
+ *   smooth in space: within the smoothing length nearly always in the cases of
+ *   Documentation/smoothing-accuracy.md, farther where f is flat.
  * - Every chosen extremum of f whose persistence exceeds the threshold (0 but for Persistent) by
  *   more than noise explains, and every marked one of persistence above 0, has one of the result
  *   for itself, in the component that it owns, or is in `lost`. Noise explains 2 d, with

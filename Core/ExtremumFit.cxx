@@ -13,9 +13,10 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double FirstRadius = 1.5;     // in smoothing lengths; the next ones are
-constexpr std::size_t PerDoubling = 2;  // to a doubling of the radius
-constexpr double LeastRadius = 6.0;     // at which a fit is worth more than smoothing
+constexpr int PerDoubling = 2;          // windows, each of twice the area of the one before
+constexpr int FirstStep = -3;           // of a window from the least: one to compare with that, and
+                                        // inner halves
+constexpr double LeastRadius = 6.0;     // in smoothing lengths, of a fit worth more than smoothing
 constexpr Index MostVertices = 10000;   // of a window
 constexpr Index LeastPerTerm = 2;       // vertices, for a fit that tells its error
 constexpr double LikelyVariance = 2.25; // of a difference, that says what may be as extreme
@@ -81,10 +82,11 @@ public:
     , center_(center)
   {
     Window window(function, center);
-    for (int step = 0; !window.isWhole() && this->moments_.count() <= MostVertices; ++step)
+    for (int step = FirstStep; !window.isWhole() && this->moments_.count() <= MostVertices; ++step)
     {
       poll();
-      const double radius = FirstRadius * function.length * std::exp2(step / double(PerDoubling));
+      const double radius =
+        LeastRadius * function.length * std::exp2(static_cast<double>(step) / PerDoubling);
       window.grow(radius, [&](Index vertex) { this->add(vertex); });
       if (!this->isAgreed(radius))
       {

@@ -79,7 +79,7 @@ void printEigenvalues(MarkdownReport& report)
 void printCrossValidation(MarkdownReport& report, const std::vector<SmoothingCase>& cases)
 {
   report.head("Cross-validation",
-    { "mesh", "noise", "error", "best epsilon's", "ratio", "best epsilon of the chosen one",
+    { "mesh", "noise", "error", "best epsilon's", "ratio", "best epsilon / chosen",
       "at most 1.25" });
   for (const SmoothingCase& smoothingCase : cases)
   {
