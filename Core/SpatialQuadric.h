@@ -18,7 +18,7 @@ struct SpatialQuadric
 {
   QuadricVector coefficients;
   QuadricMatrix inverse; ///< of the normal matrix; where that has none, of what it determines
-  double variance;       ///< of the residuals, at least that of rounding
+  double variance = 0.0; ///< of the residuals, at least that of rounding
 
   /// The variance of the difference between two places, given that of their terms.
   double ofDifference(const QuadricVector& terms) const
