@@ -17,6 +17,11 @@ struct TypedPoint
   double extent = 0.0; ///< how far places may lie that are parts of it, length
 };
 
+inline int indexOf(const TypedPoint& point)
+{
+  return indexOf(point.type, point.multiplicity);
+}
+
 /**
  * Types groups of places that may be parts of one critical point. Not for several threads at once.
  */

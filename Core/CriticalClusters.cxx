@@ -1,9 +1,9 @@
 #include "CriticalClusters.h"
 
 #include "CriticalCompletion.h"
+#include "CriticalGroups.h"
 #include "CriticalIndex.h"
 #include "Places.h"
-#include "PointTree.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,53 +19,21 @@ constexpr double SamePlace = 0.1;
 constexpr double SamePoint = 0.5;      // of the same type
 constexpr double SplitDistance = 0.75; // of places that one degenerate point is split into
 
-/// What is linked, directly or not, as groups of indices in the order of their first points.
-template <class Linked>
-std::vector<std::vector<std::size_t>> groupsOf(
-  const std::vector<RefinedPoint>& points, double distance, const Linked& linked)
-{
-  const Points places = placesOf(points, [](const RefinedPoint& point) { return point.place; });
-  const PointTree tree(places);
-  std::vector<char> taken(points.size(), 0);
-  std::vector<std::vector<std::size_t>> groups;
-  Neighborhood near;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (taken[i])
-    {
-      continue;
-    }
-    taken[i] = 1;
-    std::vector<std::size_t> group{ i };
-    for (std::size_t next = 0; next < group.size(); ++next)
-    {
-      const RefinedPoint& point = points[group[next]];
-      tree.within(point.place, distance * point.reach, near);
-      for (const Index other : near.indices)
-      {
-        if (!taken[other] && linked(point, points[other]))
-        {
-          taken[other] = 1;
-          group.push_back(other);
-        }
-      }
-    }
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
 /// Each place once, with the votes of all.
 std::vector<RefinedPoint> mergeSame(const std::vector<RefinedPoint>& points, const Trust& trust)
 {
-  const auto isSame = [&](const RefinedPoint& a, const RefinedPoint& b)
+  const Points places = placesOf(points, [](const RefinedPoint& point) { return point.place; });
+  const auto radiusAt = [&](std::size_t i) { return SamePoint * points[i].reach; };
+  const auto isSame = [&](std::size_t i, std::size_t j)
   {
+    const RefinedPoint& a = points[i];
+    const RefinedPoint& b = points[j];
     const double distance = (a.place - b.place).norm() / std::max(a.reach, b.reach);
     return distance <= SamePlace ||
       (distance <= SamePoint && trust.isSure(a) && trust.isSure(b) && typeOf(a) == typeOf(b));
   };
   std::vector<RefinedPoint> merged;
-  for (const std::vector<std::size_t>& group : groupsOf(points, SamePoint, isSame))
+  for (const std::vector<std::size_t>& group : groupsOf(places, radiusAt, isSame))
   {
     const auto best = std::max_element(group.begin(), group.end(),
       [&](std::size_t a, std::size_t b)
@@ -105,13 +73,15 @@ std::vector<TypedPoint> clusterPoints(
 {
   const Trust trust(scale);
   std::vector<RefinedPoint> merged = mergeSame(points, trust);
-  completePlaces(merged, scale, execution.part(0.0, 0.5));
+  completePlaces(merged, scale, execution.part(0.0, 0.4));
   const SurePoints sure(merged, trust);
-  const std::vector<std::vector<std::size_t>> groups = groupsOf(merged, SplitDistance,
-    [&](const RefinedPoint& a, const RefinedPoint& b)
-    { return !trust.isSure(a) && !trust.isSure(b); });
+  const std::vector<std::vector<std::size_t>> groups = groupsOf(
+    placesOf(merged, [](const RefinedPoint& point) { return point.place; }),
+    [&](std::size_t i) { return SplitDistance * merged[i].reach; },
+    [&](std::size_t i, std::size_t j)
+    { return !trust.isSure(merged[i]) && !trust.isSure(merged[j]); });
   std::vector<std::vector<TypedPoint>> typed(groups.size());
-  parallelForEach(groups.size(), execution.part(0.5, 1.0),
+  parallelForEach(groups.size(), execution.part(0.4, 0.8),
     [&](std::size_t group, const Poll&)
     { typed[group] = CriticalClassifier(merged, sure, trust, scale).classify(groups[group]); });
   std::vector<TypedPoint> result;
@@ -120,7 +90,7 @@ std::vector<TypedPoint> clusterPoints(
     result.insert(result.end(), some.begin(), some.end());
   }
   dropParts(result);
-  settleIndices(result, merged);
+  settleIndices(result, merged, scale, execution.part(0.8, 1.0));
   return result;
 }
 

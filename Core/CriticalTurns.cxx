@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace SurfaceScalars
 {
@@ -16,18 +17,19 @@ constexpr double LargestTurn = 0.35 * Pi; // of the gradient between places
 constexpr double SmallestStep = 2.0 * Pi / (32.0 * Places);
 constexpr double LeastCosine = 0.2; // of normals: what is steeper is not seen from the ring
 
-/// The direction of the gradient at the surface next to a place, seen along the normal of a ring.
-std::optional<double> gradientAngle(CriticalModel& model, const Ring& ring, const Vector3d& place)
+/// The direction of the gradient at the surface next to a place, seen along a normal.
+std::optional<double> gradientAngle(
+  CriticalModel& model, const Vector3d& normal, const Vector3d& place)
 {
   if (!centerOnSurface(model, place) ||
-    std::abs(model.fit().normal(Vector2d::Zero()).dot(ring.normal)) < LeastCosine)
+    std::abs(model.fit().normal(Vector2d::Zero()).dot(normal)) < LeastCosine)
   {
     return {};
   }
   const Vector3d gradient = model.fit().tangentialGradient(
     model.jet(Vector2d::Zero()).gradient, model.fit().heightSlope(Vector2d::Zero()).gradient);
-  const Vector3d u = ring.normal.unitOrthogonal();
-  return std::atan2(gradient.dot(ring.normal.cross(u)), gradient.dot(u));
+  const Vector3d u = normal.unitOrthogonal();
+  return std::atan2(gradient.dot(normal.cross(u)), gradient.dot(u));
 }
 
 /// The smaller way from one direction to another.
@@ -70,7 +72,7 @@ public:
       {
         const Vector3d place = this->placeAt(i, j);
         const bool isWithin = (place - this->disc_.center).norm() <= this->disc_.radius;
-        angles.push_back(isWithin ? gradientAngle(model, this->disc_, place) : std::nullopt);
+        angles.push_back(isWithin ? gradientAngle(model, this->disc_.normal, place) : std::nullopt);
       }
     }
     return angles;
@@ -104,12 +106,10 @@ private:
   Vector3d v_;
 };
 
-} // namespace
-
-std::optional<int> indexWithin(CriticalModel& model, const Ring& ring)
+/// @param angleAt the direction of the gradient at an angle of a curve, counterclockwise
+template <class AngleAt>
+std::optional<int> turnsAlong(const AngleAt& angleAt)
 {
-  const auto angleAt = [&](double angle)
-  { return gradientAngle(model, ring, placeOn(ring, angle)); };
   double turn = 0.0;
   double angle = 0.0;
   double step = 2.0 * Pi / Places;
@@ -132,6 +132,40 @@ std::optional<int> indexWithin(CriticalModel& model, const Ring& ring)
     last = next;
   }
   return last ? std::optional<int>(wholeTurns(turn)) : std::nullopt;
+}
+
+/// Of the gradient at the center, to its standard error.
+double clearnessOf(CriticalModel& model)
+{
+  const FitCovariance* covariance = model.covariance();
+  if (!covariance)
+  {
+    return 0.0;
+  }
+  const double variance = covariance->ofGradient(Vector2d::Zero()).trace();
+  return model.jet(Vector2d::Zero()).gradient.norm() / std::sqrt(variance);
+}
+
+} // namespace
+
+std::optional<int> indexWithin(CriticalModel& model, const Ring& ring)
+{
+  return turnsAlong(
+    [&](double angle) { return gradientAngle(model, ring.normal, placeOn(ring, angle)); });
+}
+
+std::optional<ClearIndex> indexWithin(CriticalModel& model, const Ellipse& ellipse)
+{
+  double clearness = std::numeric_limits<double>::infinity();
+  const std::optional<int> index = turnsAlong(
+    [&](double angle)
+    {
+      const std::optional<double> direction = gradientAngle(model, ellipse.normal,
+        ellipse.center + ellipse.halfAxes * Vector2d(std::cos(angle), std::sin(angle)));
+      clearness = direction ? std::min(clearness, clearnessOf(model)) : 0.0;
+      return direction;
+    });
+  return index ? std::optional<ClearIndex>({ *index, clearness }) : std::nullopt;
 }
 
 std::vector<Turn> turnsWithin(CriticalModel& model, const Ring& disc, double cellWidth)

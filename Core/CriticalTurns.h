@@ -16,6 +16,23 @@ namespace SurfaceScalars
  */
 std::optional<int> indexWithin(CriticalModel& model, const Ring& ring);
 
+/// An ellipse over the surface.
+struct Ellipse
+{
+  Vector3d center; ///< relative to the cloud of the model
+  Vector3d normal; ///< of the surface there
+  Eigen::Matrix<double, 3, 2> halfAxes;
+};
+
+struct ClearIndex
+{
+  int index;
+  double clearness; ///< least ratio of the gradient to its standard error
+};
+
+/// The same along an ellipse, and how far errors of f~ are from changing it.
+std::optional<ClearIndex> indexWithin(CriticalModel& model, const Ellipse& ellipse);
+
 /// A small cell of the surface with the turns of the gradient around it.
 struct Turn
 {
