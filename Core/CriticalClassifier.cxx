@@ -106,7 +106,10 @@ std::vector<TypedPoint> CriticalClassifier::byRing(
   {
     return {};
   }
-  point->enclosed = {}; // those of a part
+  if (changes > 4)
+  {
+    point->enclosed = {}; // those of a part
+  }
   const CriticalType extremum =
     enclosed.count.sign > 0 ? CriticalType::Minimum : CriticalType::Maximum;
   return { { *point, changes == 0 ? extremum : CriticalType::Saddle, std::max(1, changes / 2 - 1),

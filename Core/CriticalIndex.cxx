@@ -25,26 +25,29 @@ CriticalType settledType(const TypedPoint& point)
   return !own || *own == indexOf(point) ? point.type : CriticalType::Uncertain;
 }
 
+/// How far the places lie that a point stands for: the parts of a multiple saddle, or its own.
+double partsRadius(const TypedPoint& point)
+{
+  return std::max(point.multiplicity > 1 ? point.extent : 0.0, SamePlace * point.point.reach);
+}
+
 /// Appends the places that no point stands for as regular points, unless nothing turns there.
 void addOtherPlaces(std::vector<TypedPoint>& points, const std::vector<RefinedPoint>& places)
 {
   const Points positions =
     placesOf(points, [](const TypedPoint& point) { return point.point.place; });
   const PointTree tree(positions);
-  double largestExtent = 0.0;
+  double largestRadius = 0.0;
   for (const TypedPoint& point : points)
   {
-    largestExtent = std::max(largestExtent, point.extent);
+    largestRadius = std::max(largestRadius, partsRadius(point));
   }
   Neighborhood near;
   for (const RefinedPoint& place : places)
   {
-    tree.within(place.place, std::max(largestExtent, SamePlace * place.reach), near);
+    tree.within(place.place, largestRadius, near);
     const auto isPart = [&](Index i)
-    {
-      return (points[i].point.place - place.place).norm() <=
-        std::max(points[i].extent, SamePlace * place.reach);
-    };
+    { return (points[i].point.place - place.place).norm() <= partsRadius(points[i]); };
     if (place.enclosed.front() != 0 &&
       std::none_of(near.indices.begin(), near.indices.end(), isPart))
     {

@@ -15,6 +15,7 @@ namespace
 
 // In radii of the fits.
 constexpr std::array<double, 6> Margins{ 0.25, 0.35, 0.5, 0.7, 1.0, 1.4 }; // of ellipses
+constexpr double LargestHalfAxis = 4.0; // a row may go round the whole surface
 
 // In radii of the ellipse.
 constexpr double Inside = 0.85;
@@ -103,7 +104,8 @@ std::optional<int> indexAround(
       return (point->place - box.center).norm() <= Outside * halfAxes.maxCoeff() &&
         distance(box, halfAxes, *point) <= Outside;
     };
-    if (std::any_of(others.begin(), others.end(), isIn))
+    if (halfAxes.maxCoeff() > LargestHalfAxis * box.reach ||
+      std::any_of(others.begin(), others.end(), isIn))
     {
       break;
     }

@@ -19,7 +19,7 @@ using PlaceList = std::vector<const RefinedPoint*>;
  *
  * @param group at least one place
  * @param others places nearby that are not in the group; they stay outside
- * @returns none where no ellipse stays on the surface, or others are too close
+ * @returns none where no ellipse stays on the surface, others are too close, or the row is long
  */
 std::optional<int> indexAround(
   CriticalModel& model, const PlaceList& group, const PlaceList& others);

@@ -13,9 +13,10 @@ namespace
 {
 
 constexpr int Places = 16;                // on a ring, at first
+constexpr int RingParts = 32;             // of the steps between them, at most
+constexpr int EllipseParts = 1024;        // along a ridge the gradient turns within few of them
 constexpr double LargestTurn = 0.35 * Pi; // of the gradient between places
-constexpr double SmallestStep = 2.0 * Pi / (32.0 * Places);
-constexpr double LeastCosine = 0.2; // of normals: what is steeper is not seen from the ring
+constexpr double LeastCosine = 0.2;       // of normals: what is steeper is not seen from the ring
 
 /// The direction of the gradient at the surface next to a place, seen along a normal.
 std::optional<double> gradientAngle(
@@ -106,30 +107,34 @@ private:
   Vector3d v_;
 };
 
+/// In steps that are small where the gradient turns fast.
 /// @param angleAt the direction of the gradient at an angle of a curve, counterclockwise
+/// @param mostParts power of 2
 template <class AngleAt>
-std::optional<int> turnsAlong(const AngleAt& angleAt)
+std::optional<int> turnsAlong(const AngleAt& angleAt, int mostParts)
 {
+  const int ticks = Places * mostParts;
   double turn = 0.0;
-  double angle = 0.0;
-  double step = 2.0 * Pi / Places;
-  std::optional<double> last = angleAt(angle);
-  while (last && angle < 2.0 * Pi - 0.5 * step)
+  int tick = 0;
+  int step = mostParts;
+  std::optional<double> last = angleAt(0.0);
+  while (last && tick < ticks)
   {
-    const std::optional<double> next = angleAt(angle + step);
+    const std::optional<double> next = angleAt(2.0 * Pi * (tick + step) / ticks);
     const double change = next ? turnBetween(*last, *next) : 0.0;
     if (std::abs(change) > LargestTurn)
     {
-      step *= 0.5;
-      if (step < SmallestStep)
+      if (step == 1)
       {
         return {};
       }
+      step /= 2;
       continue;
     }
     turn += change;
-    angle += step;
+    tick += step;
     last = next;
+    step *= step < mostParts && tick % (2 * step) == 0 ? 2 : 1;
   }
   return last ? std::optional<int>(wholeTurns(turn)) : std::nullopt;
 }
@@ -150,8 +155,9 @@ double clearnessOf(CriticalModel& model)
 
 std::optional<int> indexWithin(CriticalModel& model, const Ring& ring)
 {
-  return turnsAlong(
-    [&](double angle) { return gradientAngle(model, ring.normal, placeOn(ring, angle)); });
+  return turnsAlong([&](double angle)
+    { return gradientAngle(model, ring.normal, placeOn(ring, angle)); },
+    RingParts);
 }
 
 std::optional<ClearIndex> indexWithin(CriticalModel& model, const Ellipse& ellipse)
@@ -164,7 +170,8 @@ std::optional<ClearIndex> indexWithin(CriticalModel& model, const Ellipse& ellip
         ellipse.center + ellipse.halfAxes * Vector2d(std::cos(angle), std::sin(angle)));
       clearness = direction ? std::min(clearness, clearnessOf(model)) : 0.0;
       return direction;
-    });
+    },
+    EllipseParts);
   return index ? std::optional<ClearIndex>({ *index, clearness }) : std::nullopt;
 }
 

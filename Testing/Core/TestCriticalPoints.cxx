@@ -1,6 +1,9 @@
 #include "CriticalCases.h"
 #include "Functions.h"
+#include "Sampling.h"
 #include "Surfaces.h"
+
+#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +69,30 @@ TEST(CriticalPoints, sumToTheEulerCharacteristicInAllDirections)
     const Values heights = points.transpose() * direction;
     const FuzzyCriticalPoints found = findCriticalPoints(graph, graph.average(heights), {});
     EXPECT_EQ(found.indexSum, surface.eulerCharacteristic);
+  }
+}
+
+// And where they follow each other on a ridge along which f hardly changes: there the gradient
+// turns only within a small part of a ring. Between 0.22 and 0.37 of the second harmonic, the one
+// or three critical points opposite to the maximum are about to merge.
+TEST(CriticalPoints, sumToTheEulerCharacteristicOnARidge)
+{
+  const Points points = randomSphere(10000, 1);
+  const NeighborGraph graph(points, NeighborQuery());
+  for (int i = 0; i < 16; ++i)
+  {
+    SCOPED_TRACE(i);
+    const double share = 0.22 + 0.01 * i;
+    const Eigen::Rotation2Dd rotation(-0.4 * i);
+    const Values values = valuesOf(
+      [&](const Vector3d& p)
+      {
+        const Vector2d q = rotation * Vector2d(p.x(), p.y());
+        const double along = q.x() + share * (q.x() * q.x() - q.y() * q.y()) + 0.02 * q.y();
+        return 0.03 * along - p.z() * p.z();
+      },
+      points);
+    EXPECT_EQ(findCriticalPoints(graph, graph.average(values), {}).indexSum, 2);
   }
 }
 
