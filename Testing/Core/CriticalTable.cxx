@@ -11,7 +11,7 @@ using namespace SurfaceScalars::Truth;
 
 // usage: surface-scalars-critical-truth [reduced] [truth] [surfaces] [stability] [calibration]
 // [starts]
-//   [meshes FOLDER] [curve FILE.csv]
+//   [meshes FOLDER] [drawn SEED] [curve FILE.csv]
 // Without names of parts, all that need no data.
 int main(int argumentCount, char** arguments)
 {
@@ -24,7 +24,7 @@ int main(int argumentCount, char** arguments)
     return found == words.end() || found + 1 == words.end() ? std::string() : *(found + 1);
   };
   const std::vector<std::string> parts{ "truth", "surfaces", "stability", "calibration", "starts",
-    "meshes" };
+    "meshes", "drawn" };
   const bool all = std::none_of(parts.begin(), parts.end(), has);
   const bool reduced = has("reduced");
   MarkdownReport report;
@@ -51,6 +51,10 @@ int main(int argumentCount, char** arguments)
   if (has("meshes"))
   {
     reportMeshes(report, after("meshes"));
+  }
+  if (has("drawn"))
+  {
+    reportDrawn(report, after("meshes"), static_cast<unsigned>(std::stoul(after("drawn"))));
   }
   return report.exitCode();
 }

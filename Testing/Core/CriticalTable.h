@@ -24,6 +24,10 @@ void reportStability(MarkdownReport& report);
 /// @param folder with the meshes in OFF format
 void reportMeshes(MarkdownReport& report, const std::string& folder);
 
+/// Index sums of functions that were not chosen.
+/// @param folder with the meshes in OFF format @param seed of the functions and of samples
+void reportDrawn(MarkdownReport& report, const std::string& folder, unsigned seed);
+
 /// What CriticalProbability means: 200 noisy repetitions. @param curveFile observed against stated
 /// probability, as comma-separated values; empty = not written
 void reportCalibration(MarkdownReport& report, bool reduced, const std::string& curveFile);
