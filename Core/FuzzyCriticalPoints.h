@@ -53,7 +53,8 @@ struct FuzzyCriticalPoints
 {
   std::vector<CriticalPoint> points; ///< by value, ascending
   SampleCriticality samples;
-  int indexSum = 0;      ///< of the points; the Euler characteristic where the surface is closed
+  int indexSum = 0;      ///< of the points, uncertain ones counting nothing. Where the surface is
+                         ///< closed, its Euler characteristic: an odd one misses a point
   int neighborCount = 0; ///< used by the local fits; 0 if a search radius was given
 };
 
@@ -71,13 +72,13 @@ struct FuzzyCriticalPoints
  *
  * Types come from the turns of the gradient of f~ on small circles around, 1 or -1, where circles
  * of several sizes agree (Poincare and Hopf), or else from the eigenvalues of the Hessian on the
- * surface where they are larger than their standard errors allow for by chance. Places around which
- * the gradient does not turn are regular, and a point is left out if a circle of the size of the
- * fits tells that it is half of a pair too close for both to be found: index sums are those of what
- * can be resolved. Elsewhere, as at a monkey saddle, whose Hessian is zero, f~
- * is followed on circles around: with 2 + 2m changes of sign against its value in the middle it is
- * a saddle of multiplicity m, with none an extremum, with two regular. Where noise, or a ridge,
- * hides the signs too the point is Uncertain: one for each run of a ridge.
+ * surface where they are larger than their standard errors allow for by chance. Elsewhere, as at a
+ * monkey saddle, whose Hessian is zero, f~ is followed on circles around: with 2 + 2m changes of
+ * sign against its value in the middle it is a saddle of multiplicity m, with none an extremum,
+ * with two regular. Where noise, or a ridge, hides the signs too the point is Uncertain: one for
+ * each run of a ridge. At last the indices of points closer to each other than the radius of the
+ * fits are made to sum to the index of an outline around all of them, on which the gradient is
+ * larger: a pair too close for both to be found is found as a whole or not at all.
  *
  * The neighborhoods are the smallest in which Hessians can be told from the noise, which is what
  * the fits leave over; large ones are fitted to averages of blocks of samples. Places beyond or at
