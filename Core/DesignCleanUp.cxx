@@ -1,6 +1,7 @@
 #include "DesignCleanUp.h"
 
 #include "DesignValues.h"
+#include "EvenChanges.h"
 #include "ExtremalVertices.h"
 #include "MonotoneFit.h"
 #include "MorseNetwork.h"
@@ -110,7 +111,9 @@ std::optional<Values> withNeededPoints(const DesignMesh& mesh, const Values& val
   {
     isKept[point.vertex] = 1;
   }
-  return fitMonotone(topology, *order, values, isKept, execution.part(0.8, 1.0));
+  return withEvenChanges(topology, values,
+    fitMonotone(topology, *order, values, isKept, execution.part(0.8, 0.9)), isKept,
+    execution.part(0.9, 1.0));
 }
 
 } // namespace

@@ -13,9 +13,10 @@ namespace SurfaceScalars
  * the partner of a saddle that is asked for is an extremum that nobody wants.
  *
  * A network of descending paths decides which sublevel sets may be (morseNetwork()), a sweep in the
- * order of the values which vertex is added next to one (sweepWithPoints()), and fitMonotone()
- * which values are the nearest in this order. Values of the points are kept unless their order
- * forbids it: a saddle below all minima but one cannot be without another maximum, and is lifted.
+ * order of the values which vertex is added next to one (sweepWithPoints()), fitMonotone() which
+ * values are the nearest in this order, and withEvenChanges() smooths the difference. Values of the
+ * points are kept unless their order forbids it: a saddle below all minima but one cannot be
+ * without another maximum, and is lifted.
  *
  * On a mesh with boundary, and where other points and paths leave a path no room (a matter of the
  * resolution), extrema are cancelled in pairs with saddles instead: those that are neither asked

@@ -99,7 +99,7 @@ CASES = [
     ("Fig. 3(c)", torus, {SADDLE: circle(0.4, 6)}, leastSquares, ABOVE),
     ("Fig. 3(e)", torus, {MAXIMUM: circle(1.0, 3), MINIMUM: circle(1.0, 3, 60),
                           SADDLE: circle(0.4, 6)}, leastSquares, ABOVE),
-    ("Fig. 4(b), cubic", elephant, None, {"Approach": "Meshless", "Kernel": "Cubic"}, FRONT),
+    ("Fig. 4, cubic, cleaned up", elephant, None, {"Approach": "Meshless", "Kernel": "Cubic", "CleanUp": 1}, FRONT),
 ]
 COLUMNS = 4
 

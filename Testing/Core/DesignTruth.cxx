@@ -22,6 +22,8 @@ using namespace SurfaceScalars::Truth;
 namespace
 {
 
+constexpr unsigned CleanedUp = 5; // of the random requests, as crowded ones take long
+
 struct Way
 {
   std::string name;
@@ -145,7 +147,7 @@ std::vector<std::string> cells(
   MarkdownReport& report, const Way& way, const Tally& tally, const Tally& cleaned)
 {
   const bool isKept = tally.kept == tally.asked && tally.byWalking == tally.kept &&
-    cleaned.byWalking == cleaned.kept && cleaned.kept >= tally.kept;
+    cleaned.kept == cleaned.asked && cleaned.byWalking == cleaned.kept;
   return { way.name, ofAll(tally.kept, tally.asked), std::to_string(tally.added),
     ofAll(cleaned.kept, cleaned.asked), std::to_string(cleaned.added),
     mustKeep(way) ? report.kept(isKept) : "" };
@@ -179,7 +181,10 @@ void reportRequests(MarkdownReport& report, bool isReduced)
         const TriangleMesh mesh = refinedFor(one.mesh, requests);
         const DesignMesh design(mesh.points, trianglesOf(mesh));
         tally.add(designed(design, requests, way, false), mesh, requests);
-        cleaned.add(designed(design, requests, way, true), mesh, requests);
+        if (seed <= CleanedUp)
+        {
+          cleaned.add(designed(design, requests, way, true), mesh, requests);
+        }
       }
       report.row(cells(report, way, tally, cleaned));
     }
@@ -264,7 +269,10 @@ void reportTradeoff(const MarkdownReport& report, bool isReduced)
       const TriangleMesh mesh = refinedFor(coarse, requests);
       const DesignMesh design(mesh.points, trianglesOf(mesh));
       tally.add(designed(design, requests, way, false), mesh, requests);
-      cleaned.add(designed(design, requests, way, true), mesh, requests);
+      if (seed <= CleanedUp)
+      {
+        cleaned.add(designed(design, requests, way, true), mesh, requests);
+      }
     }
     report.row({ way.name, ofAll(tally.kept, tally.asked), std::to_string(tally.added),
       ofAll(cleaned.kept, cleaned.asked), std::to_string(cleaned.added) });
