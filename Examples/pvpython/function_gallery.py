@@ -4,7 +4,7 @@ usage: pvpython function_gallery.py PLUGIN DATA PICTURE.png
 
 PLUGIN is SurfaceScalars.so, DATA the folder with elephant.vtk. Prints what was asked for, what was added and what is
 missing, as a table in Markdown, and draws level sets and critical points: minima blue, saddles green, maxima red; small ones
-were not asked for. The surfaces of the paper are not to be had: a sphere, a torus, a plate with two holes and an elephant
+were not asked for; in the first row the Morse complex as well. The surfaces of the paper are not to be had: a sphere, a torus, a plate with two holes and an elephant
 with three handles stand in for them.
 """
 
@@ -142,6 +142,11 @@ def draw(number, name, mesh, design, look):
     levels = list(numpy.quantile(values, numpy.linspace(0, 1, 27)[1:-1]))
     curves = Contour(Input=function, ContourBy=["POINTS", array], Isosurfaces=levels)
     mark(Tube(Input=curves, Radius=0.001 * size), view, [0.15, 0.15, 0.15], 0.01 * size * towards)
+    if name.startswith("genus"):
+        complex = MorseComplex(Input=function, ScalarArray=["POINTS", array])
+        for kind, color in [(0, [0.1, 0.3, 0.8]), (1, [0.8, 0.2, 0.1])]:
+            lines = select(OutputPort(complex, 0), ["CELLS", "SeparatrixType"], kind)
+            mark(Tube(Input=ExtractSurface(Input=lines), Radius=0.003 * size), view, color, 0.012 * size * towards)
     found = servermanager.Fetch(design, idx=1).GetPointData()
     types, prescribed = (vtk_to_numpy(found.GetArray(label)) for label in ("CriticalType", "Prescribed"))
     for kind, color in [(MINIMUM, [0.1, 0.2, 0.9]), (SADDLE, [0.1, 0.7, 0.2]), (MAXIMUM, [0.9, 0.1, 0.1])]:
