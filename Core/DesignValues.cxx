@@ -187,15 +187,15 @@ std::optional<std::vector<double>> SecondPass::metDifferences(
   return isMet ? std::make_optional(result) : std::nullopt;
 }
 
-StarRequest SecondPass::star(std::size_t i) const
+StarRequest SecondPass::star(std::size_t request) const
 {
-  const CriticalRequest& request = this->requests_[i];
-  const double value = this->value(i);
-  StarRequest result{ request.vertex, request.type, request.multiplicity, value, request.star };
-  if (isFree(request))
+  const CriticalRequest& asked = this->requests_[request];
+  const double value = this->value(request);
+  StarRequest result{ asked.vertex, asked.type, asked.multiplicity, value, asked.star };
+  if (isFree(asked))
   {
-    const auto met = this->metDifferences(i, value);
-    result.differences = met ? *met : this->wantedDifferences(request);
+    const auto met = this->metDifferences(request, value);
+    result.differences = met ? *met : this->wantedDifferences(asked);
     return result;
   }
   for (double& difference : result.differences)

@@ -49,10 +49,10 @@ Eigen::MatrixXd PoissonSolver::solve(const Eigen::MatrixXd& columns) const
 }
 
 GreensFunctions::GreensFunctions(
-  std::shared_ptr<const PoissonSolver> poisson, SmoothingEnergy energy, Matrix mass)
+  std::shared_ptr<const PoissonSolver> poisson, SmoothingEnergy energy, const Matrix& mass)
   : poisson_(std::move(poisson))
   , energy_(energy)
-  , mass_(std::move(mass))
+  , mass_(mass)
   , means_(this->poisson_->laplacian(), this->mass_ * Values::Ones(this->mass_.cols()))
   , positions_(static_cast<std::size_t>(this->mass_.rows()), None)
 {

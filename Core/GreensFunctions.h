@@ -48,7 +48,7 @@ class GreensFunctions
 public:
   /// @param mass of the biharmonic energy, n x n, symmetric
   GreensFunctions(std::shared_ptr<const PoissonSolver> poisson, SmoothingEnergy energy,
-    Eigen::SparseMatrix<double> mass);
+    const Eigen::SparseMatrix<double>& mass);
 
   const PoissonSolver& poisson() const { return *this->poisson_; }
 

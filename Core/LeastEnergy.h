@@ -14,8 +14,8 @@ struct EnergyConstraints
 {
   std::vector<Index> vertices; ///< different ones
   Values given;                ///< their values
-  double lowest;               ///< of these
-  double range;                ///< of these; 1 if they are all equal
+  double lowest = 0.0;         ///< of these
+  double range = 1.0;          ///< of these; 1 if they are all equal
   Values values;               ///< in the unit in which they are between 0 and 1
   Eigen::MatrixXd energies;    ///< G, of the Green's functions
   Eigen::MatrixXd constants;   ///< 1 where the vertex (row) is of the component (column)
