@@ -2,6 +2,7 @@
 #include "PeakMemory.h"
 #include "RowScaling.h"
 #include "Tikhonov.h"
+#include "TorusMesh.h"
 
 #include <benchmark/benchmark.h>
 
@@ -32,24 +33,7 @@ struct Input
 
 Input makeInput(int around)
 {
-  const int tube = around / 2;
-  Points vertices(3, around * tube);
-  Triangles triangles(3, 2 * vertices.cols());
-  const auto vertex = [&](int i, int j)
-  { return static_cast<Index>((i % around) * tube + j % tube); };
-  for (int i = 0; i < around; ++i)
-  {
-    for (int j = 0; j < tube; ++j)
-    {
-      const double u = 2 * Pi * i / around;
-      const double v = 2 * Pi * j / tube;
-      const Index place = vertex(i, j);
-      vertices.col(place) << (1 + 0.4 * std::cos(v)) * std::cos(u),
-        (1 + 0.4 * std::cos(v)) * std::sin(u), 0.4 * std::sin(v);
-      triangles.col(2 * place) << place, vertex(i + 1, j), vertex(i + 1, j + 1);
-      triangles.col(2 * place + 1) << place, vertex(i + 1, j + 1), vertex(i, j + 1);
-    }
-  }
+  const auto [vertices, triangles] = torusMesh(around);
   Input result;
   result.laplacian =
     std::make_shared<Laplacian>(meshLaplacian(vertices, triangles, LaplacianWeights::Cotangent));

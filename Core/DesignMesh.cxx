@@ -1,7 +1,6 @@
 #include "DesignMesh.h"
 
 #include "GreensFunctions.h"
-#include "Require.h"
 
 #include <utility>
 
@@ -10,24 +9,15 @@ namespace SurfaceScalars
 
 DesignMesh::DesignMesh(
   Points vertices, const Triangles& triangles, const Execution& execution, VertexName nameOf)
-  : vertices_(std::move(vertices))
-  , nameOf_(std::move(nameOf))
-  , topology_(static_cast<Index>(this->vertices_.cols()), triangles, execution, this->nameOf_)
+  : mesh_(std::move(vertices), triangles, execution, std::move(nameOf))
 {
-  require(this->vertices_.allFinite(), "finite vertices", "a coordinate that is not",
-    "Remove such vertices.");
 }
 
 DesignMesh::~DesignMesh() = default;
 
 std::shared_ptr<const Laplacian> DesignMesh::laplacian(const Execution& execution) const
 {
-  if (!this->laplacian_)
-  {
-    this->laplacian_ = std::make_shared<const Laplacian>(meshLaplacian(
-      this->vertices_, this->topology_.triangles(), LaplacianWeights::Cotangent, execution));
-  }
-  return this->laplacian_;
+  return this->mesh_.laplacian(LaplacianWeights::Cotangent, execution);
 }
 
 GreensFunctions& DesignMesh::greensFunctions(
@@ -52,7 +42,7 @@ GreensFunctions& DesignMesh::greensFunctions(
 Eigen::SparseMatrix<double> DesignMesh::metric(DataMetric metric, const Execution& execution) const
 {
   return metricMatrix(
-    metric, *this->laplacian(execution), this->vertices_, this->topology_.triangles());
+    metric, *this->laplacian(execution), this->vertices(), this->topology().triangles());
 }
 
 double DesignMesh::area(const Execution& execution) const

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "MeshTopology.h"
-#include "Tikhonov.h"
-#include "VertexName.h"
+#include "SmoothingMesh.h"
 
 #include <array>
 #include <memory>
@@ -30,9 +28,9 @@ public:
 
   ~DesignMesh();
 
-  const Points& vertices() const { return this->vertices_; }
-  const MeshTopology& topology() const { return this->topology_; }
-  const VertexName& nameOf() const { return this->nameOf_; }
+  const Points& vertices() const { return this->mesh_.vertices(); }
+  const MeshTopology& topology() const { return this->mesh_.topology(); }
+  const VertexName& nameOf() const { return this->mesh_.nameOf(); }
 
   /// With cotangent weights and, biharmonic with MassMatrix, the consistent mass matrix, else the
   /// lumped one. @throws as meshLaplacian() and SparseCholesky
@@ -47,10 +45,7 @@ public:
 private:
   std::shared_ptr<const Laplacian> laplacian(const Execution& execution) const;
 
-  Points vertices_;
-  VertexName nameOf_;
-  MeshTopology topology_;
-  mutable std::shared_ptr<const Laplacian> laplacian_;
+  SmoothingMesh mesh_; ///< keeps topology and Laplacian
   mutable std::shared_ptr<const PoissonSolver> poisson_;
   mutable std::array<std::unique_ptr<GreensFunctions>, 3> functions_;
 };

@@ -105,7 +105,6 @@ void measure(DesignedFunction& result, const DesignMesh& mesh,
   const MeshTopology& topology = mesh.topology();
   const VertexTypes types = classifyVertices(topology, result.values);
   result.critical = meshCriticalPoints(mesh.vertices(), topology, result.values, execution);
-  result.counts = types.counts;
   const std::vector<char> met = areMet(types, requests);
   std::vector<char> isAsked(topology.vertexCount(), 0);
   for (std::size_t i = 0; i < requests.size(); ++i)

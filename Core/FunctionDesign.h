@@ -54,7 +54,6 @@ struct DesignedFunction
 {
   Values values;                ///< one per vertex
   MeshCriticalPoints critical;  ///< of values, ties by index
-  CriticalCounts counts;        ///< of these
   std::vector<char> prescribed; ///< by critical point: asked for, with this type and multiplicity
   std::vector<std::size_t> missing; ///< requests that are not critical so in values, ascending
   double epsilon = 0.0;             ///< 0 where none was needed

@@ -2,13 +2,13 @@
 
 #include "Error.h"
 #include "LinearTerms.h"
+#include "LinkNormal.h"
 #include "Orientation.h"
 #include "Places.h"
 #include "RadialRefusal.h"
 #include "Require.h"
 #include "RidgeSystem.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <limits>
@@ -43,15 +43,8 @@ Values valuesOf(const std::vector<ValueConstraint>& constraints)
 /// Away from the origin, or upwards, whichever way triangles run.
 Vector3d normalAt(const DesignMesh& mesh, Index vertex, const Vector3d& origin)
 {
-  const Points& vertices = mesh.vertices();
-  const Vector3d place = vertices.col(vertex);
-  const VertexRange path = mesh.topology().linkPath(vertex);
-  Vector3d normal = Vector3d::Zero();
-  for (const Index* edge = path.begin(); edge + 1 != path.end(); ++edge)
-  {
-    normal += (vertices.col(edge[0]) - place).cross(vertices.col(edge[1]) - place);
-  }
-  normal.normalize();
+  const Vector3d normal = linkNormal(mesh.vertices(), mesh.topology(), vertex).normalized();
+  const Vector3d place = mesh.vertices().col(vertex);
   return isOutwards(place - origin, normal) ? normal : Vector3d(-normal);
 }
 

@@ -1,6 +1,7 @@
 #include "StarTemplate.h"
 
-#include <Eigen/Geometry>
+#include "LinkNormal.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -26,14 +27,8 @@ public:
   TangentPlane(const PointsRef& vertices, const MeshTopology& mesh, Index vertex)
     : origin_(vertices.col(vertex))
   {
-    const VertexRange path = mesh.linkPath(vertex);
-    Vector3d normal = Vector3d::Zero();
-    for (const Index* edge = path.begin(); edge + 1 != path.end(); ++edge)
-    {
-      normal +=
-        (vertices.col(edge[0]) - this->origin_).cross(vertices.col(edge[1]) - this->origin_);
-    }
-    const Vector3d first = vertices.col(*path.begin()) - this->origin_;
+    const Vector3d first = vertices.col(*mesh.linkPath(vertex).begin()) - this->origin_;
+    Vector3d normal = linkNormal(vertices, mesh, vertex);
     normal = normal.norm() > 0.0 ? Vector3d(normal.normalized()) : first.unitOrthogonal();
     const Vector3d along = first - first.dot(normal) * normal;
     this->u_ = along.norm() > 0.0 ? Vector3d(along.normalized()) : normal.unitOrthogonal();
