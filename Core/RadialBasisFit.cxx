@@ -150,6 +150,25 @@ void RadialBasisFit::solve(const ValuesRef& values)
   this->values_ = values;
 }
 
+/// The transpose of what solve() does, step by step.
+Values RadialBasisFit::dependsOnValues(const Values& kernels, const Values& polynomials) const
+{
+  const Eigen::Index terms = this->terms_.count();
+  const Eigen::Index rest = this->matrix_.rows() - terms;
+  Values result = this->kernel_.sign() * (this->polynomials_.householderQ().adjoint() * kernels);
+  result.head(terms) = this->polynomials_.matrixQR()
+                         .topLeftCorner(terms, terms)
+                         .triangularView<Eigen::Upper>()
+                         .transpose()
+                         .solve(polynomials);
+  if (rest > 0)
+  {
+    result.tail(rest) -= this->matrix_.bottomLeftCorner(rest, terms) * result.head(terms);
+    result.tail(rest) = this->cholesky_.solve(result.tail(rest)).eval();
+  }
+  return this->polynomials_.householderQ() * result;
+}
+
 double RadialBasisFit::largestResidual() const
 {
   double largest = 0.0;

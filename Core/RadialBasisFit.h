@@ -62,6 +62,13 @@ public:
   const Eigen::Vector4d& tail() const { return this->tail_; }
   const Vector3d& tailOrigin() const { return this->terms_.origin(); }
 
+  /// What the rows of `polynomials` stand for in dependsOnValues().
+  const LinearTerms& terms() const { return this->terms_; }
+
+  /// How kernels . alpha + polynomials . (the polynomial in terms()) depends on the values that are
+  /// solved for: its gradient, one entry per center. After factor().
+  Values dependsOnValues(const Values& kernels, const Values& polynomials) const;
+
   /// Estimate of 1 / condition of the factored matrix, 0 if it is not positive definite.
   double reciprocalCondition() const;
 
