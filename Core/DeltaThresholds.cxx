@@ -72,7 +72,7 @@ private:
 Values deltaThresholds(const MeshTopology& mesh, const ValuesRef& values, const VertexTypes& types,
   const Execution& execution)
 {
-  checkMeshValues(mesh, values);
+  checkVertexValues(mesh.vertexCount(), values);
   Values thresholds = Values::Zero(values.size());
   parallelFor(mesh.vertexCount(), Grain, execution,
     [&](std::size_t begin, std::size_t end)

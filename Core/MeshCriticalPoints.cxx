@@ -1,15 +1,15 @@
 #include "MeshCriticalPoints.h"
 
+#include "CriticalPairs.h"
 #include "MergeTrees.h"
 #include "MergeTreesBuilder.h"
 #include "MeshValues.h"
-#include "MirroredMesh.h"
 #include "Require.h"
 #include "ValueOrder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -24,105 +24,23 @@ MergeTrees meshMergeTrees(
   return MergeTreesBuilder(mesh.vertexCount(), neighborsOf, isBelow, execution).build();
 }
 
-/// An image comes right after its vertex: what is symmetric remains so.
-struct MirroredOrder
+/// @param pointOfVertex gets the positions of the points in the list
+std::vector<CriticalPoint> criticalPoints(const PointsRef& vertices, const ValuesRef& values,
+  const VertexTypes& types, std::vector<Index>& pointOfVertex)
 {
-  const MirroredMesh& mesh;
-  ValueOrder ofOriginals;
-
-  double value(Index vertex) const { return this->ofOriginals.value(this->mesh.original(vertex)); }
-  bool operator()(Index a, Index b) const
+  std::vector<CriticalPoint> points;
+  points.reserve(std::size_t(types.counts.minima) + types.counts.saddles + types.counts.maxima);
+  for (Index vertex = 0; vertex < pointOfVertex.size(); ++vertex)
   {
-    const Index first = this->mesh.original(a);
-    const Index second = this->mesh.original(b);
-    return first == second ? a < b : this->ofOriginals(first, second);
+    if (types.types[vertex] != CriticalType::Regular)
+    {
+      pointOfVertex[vertex] = static_cast<Index>(points.size());
+      points.push_back(criticalVertex(
+        vertices, values, vertex, types.types[vertex], types.multiplicities[vertex]));
+    }
   }
-};
-
-MergeTrees mirroredMergeTrees(
-  const MirroredMesh& mirrored, const ValuesRef& values, const Execution& execution)
-{
-  const auto neighborsOf = [&](Index vertex) { return mirrored.neighbors(vertex); };
-  const MirroredOrder isBelow{ mirrored, { values.data() } };
-  return MergeTreesBuilder(mirrored.count(), neighborsOf, isBelow, execution).build();
+  return points;
 }
-
-class PairCollector
-{
-public:
-  PairCollector(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values,
-    const VertexTypes& types)
-    : mesh_(mesh)
-    , values_(values)
-    , pointOfVertex_(mesh.vertexCount(), 0)
-  {
-    const std::size_t most =
-      std::size_t(types.counts.minima) + types.counts.saddles + types.counts.maxima;
-    this->result_.points.reserve(most);
-    this->result_.pairs.reserve(most / 2);
-    for (Index vertex = 0; vertex < mesh.vertexCount(); ++vertex)
-    {
-      if (types.types[vertex] != CriticalType::Regular)
-      {
-        this->pointOfVertex_[vertex] = static_cast<Index>(this->result_.points.size());
-        CriticalPoint point;
-        point.position = vertices.col(vertex);
-        point.type = types.types[vertex];
-        point.multiplicity = static_cast<int>(types.multiplicities[vertex]);
-        point.value = values[vertex];
-        point.input = vertex;
-        this->result_.points.push_back(point);
-      }
-    }
-    this->ended_.assign(this->result_.points.size(), 0);
-  }
-
-  void add(const MergeTree& tree)
-  {
-    const MirroredMesh mirrored(this->mesh_);
-    for (const Merge& merge : tree.merges)
-    {
-      const Index extremum = mirrored.original(merge.younger);
-      const Index saddle = mirrored.original(merge.vertex);
-      const CriticalPair pair{ this->pointOfVertex_[extremum], this->pointOfVertex_[saddle],
-        std::abs(this->values_[saddle] - this->values_[extremum]) };
-      for (const std::size_t point : { pair.extremum, pair.saddle })
-      {
-        ++this->ended_[point];
-        double& persistence = this->result_.points[point].persistence;
-        persistence = std::max(persistence, pair.persistence);
-      }
-      if (!mirrored.isImage(merge.vertex))
-      {
-        this->result_.pairs.push_back(pair);
-      }
-    }
-  }
-
-  /// What is not cancelled as often as it is there has f's range.
-  MeshCriticalPoints conclude()
-  {
-    const double range = this->values_.maxCoeff() - this->values_.minCoeff();
-    for (std::size_t i = 0; i < this->ended_.size(); ++i)
-    {
-      CriticalPoint& point = this->result_.points[i];
-      const bool isSingle =
-        this->mesh_.isClosed() || this->mesh_.isBoundary(static_cast<Index>(point.input));
-      if (this->ended_[i] < point.multiplicity * (isSingle ? 1 : 2))
-      {
-        point.persistence = range;
-      }
-    }
-    return std::move(this->result_);
-  }
-
-private:
-  const MeshTopology& mesh_;
-  const ValuesRef& values_;
-  std::vector<Index> pointOfVertex_; ///< of critical ones
-  std::vector<int> ended_;           ///< in how many pairs each point is, with its image
-  MeshCriticalPoints result_;
-};
 
 } // namespace
 
@@ -149,7 +67,7 @@ void removeUpToDelta(std::vector<CriticalPoint>& points, const ValuesRef& deltas
 PersistencePairs persistencePairs(
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
 {
-  checkMeshValues(mesh, values);
+  checkVertexValues(mesh.vertexCount(), values);
   return pairsOf(meshMergeTrees(mesh, values, execution), values);
 }
 
@@ -162,12 +80,12 @@ MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices, const MeshTopol
     "Choose the vertices of the mesh.");
   const VertexTypes types = classifyVertices(mesh, values, execution.part(0.0, 0.1));
   const Execution ofTrees = execution.part(0.1, 0.9);
-  const MergeTrees trees = mesh.isClosed()
-    ? meshMergeTrees(mesh, values, ofTrees)
-    : mirroredMergeTrees(MirroredMesh(mesh), values, ofTrees);
-  PairCollector collector(vertices, mesh, values, types);
-  collector.add(trees.sublevel);
-  collector.add(trees.superlevel);
+  const MergeTrees trees = mesh.isClosed() ? meshMergeTrees(mesh, values, ofTrees)
+                                           : mirroredMergeTrees(mesh, values, ofTrees);
+  std::vector<Index> pointOfVertex(mesh.vertexCount(), 0);
+  PairCollector collector(mesh, values, criticalPoints(vertices, values, types, pointOfVertex));
+  collector.add(trees.sublevel, pointOfVertex);
+  collector.add(trees.superlevel, pointOfVertex);
   MeshCriticalPoints result = collector.conclude();
   execution.report(1.0);
   return result;

@@ -1,8 +1,8 @@
 #include "MeshTopology.h"
 
-#include "DisjointSets.h"
 #include "LinkPath.h"
 #include "Require.h"
+#include "SimplexComponents.h"
 
 #include <algorithm>
 #include <atomic>
@@ -186,26 +186,9 @@ void MeshTopology::orderLinks(const Execution& execution, const VertexName& name
 
 void MeshTopology::numberComponents(const Execution& execution)
 {
-  DisjointSets sets(this->vertexCount());
-  forEachIndex(static_cast<Index>(this->triangles_.cols()), execution.part(0.0, 0.7),
-    [&](Index triangle)
-    {
-      for (int corner = 1; corner < 3; ++corner)
-      {
-        const auto [first, second] =
-          std::minmax({ sets.find(this->triangles_(corner - 1, triangle)),
-            sets.find(this->triangles_(corner, triangle)) });
-        sets.attach(second, first);
-      }
-    });
-  this->components_.resize(this->vertexCount());
-  forEachIndex(this->vertexCount(), execution.part(0.7, 1.0),
-    [&](Index vertex)
-    {
-      this->components_[vertex] =
-        sets.isRoot(vertex) ? this->componentCount_++ : this->components_[sets.find(vertex)];
-    });
-  execution.report(1.0);
+  VertexComponents components = componentsOf(this->vertexCount(), this->triangles_, execution);
+  this->components_ = std::move(components.ofVertices);
+  this->componentCount_ = components.count;
 }
 
 std::int64_t MeshTopology::eulerCharacteristic() const

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "MeshTopology.h"
+#include "Basics.h"
 
 namespace SurfaceScalars
 {
 
 /// @throws InvalidInput unless there is one value per vertex, all finite
-void checkMeshValues(const MeshTopology& mesh, const ValuesRef& values);
+void checkVertexValues(Index vertexCount, const ValuesRef& values);
 
 } // namespace SurfaceScalars

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MeshTopology.h"
+#include "Basics.h"
 
 #include <cstddef>
 #include <iterator>
@@ -9,16 +9,19 @@ namespace SurfaceScalars
 {
 
 /**
- * The edges of a mesh glued to its mirror image along the boundary. The image of the interior
- * vertex i is n + i, where n is the number of vertices; that of a boundary vertex is the vertex
- * itself, and its n + i joins nothing.
+ * The edges of a mesh, or volume, glued to its mirror image along the boundary. The image of the
+ * interior vertex i is n + i, where n is the number of vertices; that of a boundary vertex is the
+ * vertex itself, and its n + i joins nothing.
  *
  * Edges between a vertex of the boundary and an image are named by the image only.
+ *
+ * @tparam Topology MeshTopology or VolumeTopology
  */
+template <class Topology>
 class MirroredMesh
 {
 public:
-  explicit MirroredMesh(const MeshTopology& mesh)
+  explicit MirroredMesh(const Topology& mesh)
     : mesh_(&mesh)
   {
   }
@@ -40,7 +43,7 @@ public:
     using pointer = const Index*;
     using reference = Index;
 
-    Iterator(const MeshTopology* images, const Index* place)
+    Iterator(const Topology* images, const Index* place)
       : images_(images)
       , place_(place)
     {
@@ -59,7 +62,7 @@ public:
     bool operator!=(const Iterator& other) const { return this->place_ != other.place_; }
 
   private:
-    const MeshTopology* images_; ///< null to show the vertices themselves
+    const Topology* images_; ///< null to show the vertices themselves
     const Index* place_;
   };
 
@@ -74,7 +77,7 @@ public:
 
   Range neighbors(Index vertex) const
   {
-    const VertexRange link = this->mesh_->link(this->original(vertex));
+    const auto link = this->mesh_->link(this->original(vertex));
     if (!this->isImage(vertex))
     {
       return { { nullptr, link.first }, { nullptr, link.last } };
@@ -84,7 +87,7 @@ public:
   }
 
 private:
-  const MeshTopology* mesh_;
+  const Topology* mesh_;
 };
 
 } // namespace SurfaceScalars

@@ -92,7 +92,7 @@ private:
 void checkValues(const MeshTopology& mesh, const ValuesRef& values)
 {
   constexpr double Largest = 0.5 * std::numeric_limits<double>::max();
-  checkMeshValues(mesh, values);
+  checkVertexValues(mesh.vertexCount(), values);
   const double largest = values.lpNorm<Eigen::Infinity>();
   require(largest <= Largest, "values of at most " + textOf(Largest) + " in magnitude",
     textOf(largest), "Scale the values down.");

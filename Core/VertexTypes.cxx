@@ -104,11 +104,10 @@ CriticalCounts concludeTypes(
 
 } // namespace
 
-void checkMeshValues(const MeshTopology& mesh, const ValuesRef& values)
+void checkVertexValues(Index vertexCount, const ValuesRef& values)
 {
-  require(values.size() == mesh.vertexCount(), "one value per vertex",
-    std::to_string(values.size()) + " values for " + std::to_string(mesh.vertexCount()) +
-      " vertices",
+  require(values.size() == vertexCount, "one value per vertex",
+    std::to_string(values.size()) + " values for " + std::to_string(vertexCount) + " vertices",
     "Choose another array.");
   if (!std::isfinite((0.0 * values).sum()))
   {
@@ -123,7 +122,7 @@ void checkMeshValues(const MeshTopology& mesh, const ValuesRef& values)
 VertexTypes classifyVertices(
   const MeshTopology& mesh, const ValuesRef& values, const Execution& execution)
 {
-  checkMeshValues(mesh, values);
+  checkVertexValues(mesh.vertexCount(), values);
   VertexTypes result;
   result.types.resize(mesh.vertexCount());
   result.multiplicities = middleCounts(mesh, values, execution.part(0.0, 0.8));

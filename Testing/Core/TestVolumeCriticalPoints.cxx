@@ -1,0 +1,435 @@
+#include "DisjointSets.h"
+#include "Error.h"
+#include "Meshes.h"
+#include "VolumeCriticalPoints.h"
+#include "VolumeExamples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace SurfaceScalars::Truth
+{
+namespace
+{
+
+VolumeTopology topologyOf(const Volume& volume, int threadCount = 0)
+{
+  return { static_cast<Index>(volume.vertices.cols()), volume.tetrahedra, { threadCount, {} } };
+}
+
+struct NamedFunction
+{
+  std::string name;
+  Values values;
+};
+
+/// A height, noise on it, noise alone, few different values, and one.
+std::vector<NamedFunction> functionsOn(const Volume& volume)
+{
+  const Values smooth = Vector3d(0.3, 0.5, 0.8).transpose() * volume.vertices;
+  Values noise = Values::Zero(smooth.size());
+  addNoise(noise, 1.0, 7);
+  return { { "smooth", smooth }, { "noisy", smooth + 0.2 * noise }, { "random", noise },
+    { "steps", noise.unaryExpr([](double value) { return std::floor(value); }) },
+    { "constant", Values::Constant(smooth.size(), 3.0) } };
+}
+
+/// The place of each vertex in the order of the values, ties by index.
+std::vector<int> ranksOf(const Values& values)
+{
+  std::vector<int> order(static_cast<std::size_t>(values.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
+  std::vector<int> ranks(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    ranks[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  }
+  return ranks;
+}
+
+/// 1 less the Euler characteristic of the lower link, which is counted: vertices, edges and
+/// triangles of the tetrahedra around the vertex whose corners have lesser ranks.
+std::vector<int> banchoffIndices(const Tetrahedra& tetrahedra, const std::vector<int>& ranks)
+{
+  std::vector<std::set<std::set<Index>>> lower(ranks.size());
+  for (Eigen::Index cell = 0; cell < tetrahedra.cols(); ++cell)
+  {
+    for (const Index vertex : tetrahedra.col(cell))
+    {
+      for (unsigned subset = 1; subset < 16; ++subset)
+      {
+        std::set<Index> simplex;
+        for (unsigned corner = 0; corner < 4; ++corner)
+        {
+          if (subset & (1U << corner))
+          {
+            simplex.insert(tetrahedra(corner, cell));
+          }
+        }
+        if (std::all_of(simplex.begin(), simplex.end(),
+              [&](Index other) { return ranks[other] < ranks[vertex]; }))
+        {
+          lower[vertex].insert(simplex);
+        }
+      }
+    }
+  }
+  std::vector<int> indices;
+  for (const auto& link : lower)
+  {
+    indices.push_back(std::accumulate(link.begin(), link.end(), 1,
+      [](int sum, const std::set<Index>& simplex)
+      { return sum + (simplex.size() % 2 == 0 ? 1 : -1); }));
+  }
+  return indices;
+}
+
+/// A volume glued to a mirror image of its own along the boundary: the image of an interior vertex
+/// comes after all vertices.
+struct Glued
+{
+  explicit Glued(const Volume& volume)
+    : tetrahedra(4, 2 * volume.tetrahedra.cols())
+  {
+    const std::vector<bool> isBoundary = boundaryOf(volume);
+    std::vector<Index> images;
+    auto count = static_cast<Index>(volume.vertices.cols());
+    this->originals.resize(count);
+    std::iota(this->originals.begin(), this->originals.end(), Index(0));
+    for (Index vertex = 0; vertex < isBoundary.size(); ++vertex)
+    {
+      images.push_back(isBoundary[vertex] ? vertex : count++);
+      if (!isBoundary[vertex])
+      {
+        this->originals.push_back(vertex);
+      }
+    }
+    this->tetrahedra << volume.tetrahedra,
+      volume.tetrahedra.unaryExpr([&](Index vertex) { return images[vertex]; });
+  }
+
+  /// An image comes right after its vertex.
+  std::vector<int> ranks(const Values& values) const
+  {
+    const std::vector<int> ofOriginals = ranksOf(values);
+    Values twice(static_cast<Eigen::Index>(this->originals.size()));
+    for (std::size_t i = 0; i < this->originals.size(); ++i)
+    {
+      twice[static_cast<Eigen::Index>(i)] = ofOriginals[this->originals[i]];
+    }
+    return ranksOf(twice);
+  }
+
+  Tetrahedra tetrahedra;
+  std::vector<Index> originals; ///< of each vertex
+};
+
+int indexAt(const VolumeTypes& types, Index vertex)
+{
+  return (types.types[vertex] == CriticalType::Minimum ? 1 : 0) -
+    static_cast<int>(types.oneSaddles[vertex]) + static_cast<int>(types.twoSaddles[vertex]) -
+    (types.types[vertex] == CriticalType::Maximum ? 1 : 0);
+}
+
+// Banchoff: 1 - chi(lower link) sums to the Euler characteristic whatever the values are. The types
+// of interior vertices have this index, and on manifolds those of all vertices, the boundary
+// counted half, sum to 0.
+TEST(VolumeCriticalPoints, indicesAreBanchoffs)
+{
+  for (const NamedVolume& named : volumesOfAllKinds())
+  {
+    const VolumeTopology topology = topologyOf(named.volume);
+    for (const auto& [name, values] : functionsOn(named.volume))
+    {
+      SCOPED_TRACE(named.name + ", " + name);
+      const std::vector<int> expected = banchoffIndices(named.volume.tetrahedra, ranksOf(values));
+      EXPECT_EQ(std::accumulate(expected.begin(), expected.end(), 0), named.eulerCharacteristic);
+      const VolumeTypes types = classifyVolumeVertices(topology, values);
+      int twice = 0;
+      for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
+      {
+        const bool isBoundary = topology.isBoundary(vertex);
+        twice += (isBoundary ? 1 : 2) * indexAt(types, vertex);
+        EXPECT_TRUE(isBoundary || indexAt(types, vertex) == expected[vertex]) << vertex;
+      }
+      EXPECT_EQ(twice, 0);
+      EXPECT_TRUE(!named.isClosed || types.counts.indexSum() == 0);
+    }
+  }
+}
+
+/// Each tetrahedron in 24, by the centers of its edges, faces and itself: simplices between
+/// vertices of the boundary are then on the boundary.
+Volume barycentric(const Volume& volume)
+{
+  std::map<std::set<Index>, Index> numbers;
+  std::vector<Vector3d> places;
+  Volume result{ {}, Tetrahedra(4, 24 * volume.tetrahedra.cols()) };
+  Eigen::Index count = 0;
+  for (Eigen::Index cell = 0; cell < volume.tetrahedra.cols(); ++cell)
+  {
+    std::array<Index, 4> corners;
+    std::copy_n(volume.tetrahedra.col(cell).data(), 4, corners.begin());
+    std::sort(corners.begin(), corners.end());
+    do
+    {
+      std::set<Index> simplex;
+      Vector3d sum = Vector3d::Zero();
+      for (Eigen::Index i = 0; i < 4; ++i)
+      {
+        simplex.insert(corners[static_cast<std::size_t>(i)]);
+        sum += volume.vertices.col(corners[static_cast<std::size_t>(i)]);
+        const auto [entry, isNew] = numbers.try_emplace(simplex, static_cast<Index>(places.size()));
+        if (isNew)
+        {
+          places.emplace_back(sum / static_cast<double>(i + 1));
+        }
+        result.tetrahedra(i, count) = entry->second;
+      }
+      ++count;
+    } while (std::next_permutation(corners.begin(), corners.end()));
+  }
+  result.vertices =
+    Eigen::Map<const Points>(places[0].data(), 3, static_cast<Eigen::Index>(places.size()));
+  return result;
+}
+
+// The types of the boundary are those on the volume glued to its mirror image there.
+TEST(VolumeCriticalPoints, boundaryIsThatOfTheGluedVolume)
+{
+  const Volume block = barycentric(blockVolume(2, 2, 1));
+  const VolumeTopology topology = topologyOf(block);
+  const Glued glued(block);
+  for (const auto& [name, values] : functionsOn(block))
+  {
+    SCOPED_TRACE(name);
+    const std::vector<int> expected = banchoffIndices(glued.tetrahedra, glued.ranks(values));
+    const VolumeTypes types = classifyVolumeVertices(topology, values);
+    for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
+    {
+      EXPECT_EQ(indexAt(types, vertex), expected[vertex]) << vertex;
+    }
+  }
+}
+
+// cos x + cos y + cos z on the 3-torus has 1 minimum, 3 saddles of each kind and 1 maximum, at
+// vertices of a grid of even size.
+TEST(VolumeCriticalPoints, areThoseOfAnAnalyticFunction)
+{
+  constexpr int size = 8;
+  const Volume torus = threeTorus(size);
+  Values values(torus.vertices.cols());
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    values[i] = (torus.vertices.col(i) * 2.0 * Pi / size).array().cos().sum();
+  }
+  const MeshCriticalPoints critical =
+    volumeCriticalPoints(torus.vertices, topologyOf(torus), values);
+  const VolumeCounts counts = volumeCountsOf(critical.points);
+  EXPECT_EQ(counts.minima, 1U);
+  EXPECT_EQ(counts.oneSaddles, 3U);
+  EXPECT_EQ(counts.twoSaddles, 3U);
+  EXPECT_EQ(counts.maxima, 1U);
+  constexpr std::array byCrests{ CriticalType::Minimum, CriticalType::Saddle,
+    CriticalType::TwoSaddle, CriticalType::Maximum };
+  for (const CriticalPoint& point : critical.points)
+  {
+    const Vector3d halves = torus.vertices.col(static_cast<Eigen::Index>(point.input)) * 2.0 / size;
+    EXPECT_TRUE((halves.array() == halves.array().round()).all());
+    const auto crests = (halves.array() == 0.0).count(); // cosines of 1, the others are -1
+    EXPECT_EQ(point.type, byCrests[static_cast<std::size_t>(crests)]);
+    EXPECT_NEAR(point.value, 2.0 * static_cast<double>(crests) - 3.0, 1e-12);
+    EXPECT_NEAR(point.persistence, 6.0, 1e-12); // nothing is cancelled
+  }
+}
+
+// Over the center of a ball, z^3 - z r^2 / 4 is lower in a cap and a belt and higher in such: the
+// center is both saddles. Squares of different signs are one of them.
+TEST(VolumeCriticalPoints, aVertexCanBeBothSaddles)
+{
+  const TriangleMesh sphere = subdividedSphere(3);
+  const auto center = static_cast<Index>(sphere.points.cols());
+  Volume ball{ Points(3, center + 1), Tetrahedra(4, 0) };
+  ball.vertices << sphere.points, Vector3d::Zero();
+  ball.tetrahedra.resize(4, static_cast<Eigen::Index>(sphere.triangles.size()));
+  for (std::size_t i = 0; i < sphere.triangles.size(); ++i)
+  {
+    const auto& [a, b, c] = sphere.triangles[i];
+    ball.tetrahedra.col(static_cast<Eigen::Index>(i)) << Index(a), Index(b), Index(c), center;
+  }
+  const auto typesOf = [&](const std::function<double(const Vector3d&)>& function)
+  {
+    Values values(ball.vertices.cols());
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+    {
+      values[i] = function(ball.vertices.col(i));
+    }
+    return classifyVolumeVertices(topologyOf(ball), values);
+  };
+  const VolumeTypes both =
+    typesOf([](const Vector3d& p) { return p.z() * (p.z() * p.z() - 0.25 * p.squaredNorm()); });
+  EXPECT_EQ(both.oneSaddles[center], 1U);
+  EXPECT_EQ(both.twoSaddles[center], 1U);
+  EXPECT_EQ(both.types[center], CriticalType::Saddle);
+  const VolumeTypes one =
+    typesOf([](const Vector3d& p) { return p.dot(Vector3d(1, 2, -1.5).cwiseProduct(p)); });
+  EXPECT_EQ(one.oneSaddles[center], 1U);
+  EXPECT_EQ(one.twoSaddles[center], 0U);
+  const VolumeTypes two =
+    typesOf([](const Vector3d& p) { return p.dot(Vector3d(-1, -2, 1.5).cwiseProduct(p)); });
+  EXPECT_EQ(two.types[center], CriticalType::TwoSaddle);
+  EXPECT_EQ(two.twoSaddles[center], 1U);
+}
+
+using VertexPairs = std::multiset<std::pair<std::size_t, std::size_t>>; ///< extremum and saddle
+
+/// The merges of components as one vertex comes after the other, by their ranks.
+VertexPairs mergesOf(const Tetrahedra& tetrahedra, const std::vector<int>& ranks)
+{
+  const auto count = static_cast<Index>(ranks.size());
+  std::vector<std::set<Index>> before(count); // by rank
+  for (Eigen::Index cell = 0; cell < tetrahedra.cols(); ++cell)
+  {
+    for (const Index a : tetrahedra.col(cell))
+    {
+      for (const Index b : tetrahedra.col(cell))
+      {
+        if (ranks[b] < ranks[a])
+        {
+          before[static_cast<Index>(ranks[a])].insert(static_cast<Index>(ranks[b]));
+        }
+      }
+    }
+  }
+  VertexPairs merges;
+  DisjointSets sets(count); // by rank; roots are the first vertices
+  for (Index rank = 0; rank < count; ++rank)
+  {
+    std::set<Index> roots;
+    for (const Index other : before[rank])
+    {
+      roots.insert(sets.find(other));
+    }
+    for (const Index root : roots)
+    {
+      if (root != *roots.begin())
+      {
+        merges.emplace(root, rank);
+        sets.attach(root, *roots.begin());
+      }
+    }
+    if (!roots.empty())
+    {
+      sets.attach(rank, *roots.begin());
+    }
+  }
+  return merges;
+}
+
+/// The same by the vertices that have the ranks.
+VertexPairs pairsByMerging(const Glued& glued, std::vector<int> ranks, bool isRising)
+{
+  const auto last = static_cast<int>(ranks.size()) - 1;
+  for (int& rank : ranks)
+  {
+    rank = isRising ? rank : last - rank;
+  }
+  std::vector<std::size_t> vertexOf(ranks.size());
+  for (std::size_t i = 0; i < ranks.size(); ++i)
+  {
+    vertexOf[static_cast<std::size_t>(ranks[i])] = i;
+  }
+  VertexPairs pairs;
+  for (const auto& [extremum, saddle] : mergesOf(glued.tetrahedra, ranks))
+  {
+    const std::size_t vertex = vertexOf[saddle];
+    if (glued.originals[vertex] == vertex) // not an image
+    {
+      pairs.emplace(glued.originals[vertexOf[extremum]], vertex);
+    }
+  }
+  return pairs;
+}
+
+// The pairs are those of components that meet on the volume glued to its mirror image; each ends
+// one component of its saddle, and persistence is what the pairs say.
+TEST(VolumeCriticalPoints, pairsAreThoseOfComponentsThatMeet)
+{
+  for (const NamedVolume& named : volumesOfAllKinds())
+  {
+    const VolumeTopology topology = topologyOf(named.volume);
+    Glued glued(named.volume);
+    if (named.isClosed)
+    {
+      glued.tetrahedra = named.volume.tetrahedra; // no image of it
+      glued.originals.resize(static_cast<std::size_t>(named.volume.vertices.cols()));
+    }
+    for (const auto& [name, values] : functionsOn(named.volume))
+    {
+      SCOPED_TRACE(named.name + ", " + name);
+      const MeshCriticalPoints found =
+        volumeCriticalPoints(named.volume.vertices, topology, values);
+      VertexPairs minima;
+      VertexPairs maxima;
+      std::vector<int> ended(found.points.size(), 0);
+      for (const CriticalPair& pair : found.pairs)
+      {
+        const CriticalPoint& extremum = found.points[pair.extremum];
+        const CriticalPoint& saddle = found.points[pair.saddle];
+        const bool isMinimum = extremum.type == CriticalType::Minimum;
+        EXPECT_EQ(saddle.type, isMinimum ? CriticalType::Saddle : CriticalType::TwoSaddle);
+        EXPECT_EQ(pair.persistence, std::abs(saddle.value - extremum.value));
+        EXPECT_LE(pair.persistence, saddle.persistence);
+        EXPECT_LE(++ended[pair.saddle], saddle.multiplicity);
+        (isMinimum ? minima : maxima).emplace(extremum.input, saddle.input);
+      }
+      const std::vector<int> ranks = glued.ranks(values);
+      EXPECT_EQ(minima, pairsByMerging(glued, ranks, true));
+      EXPECT_EQ(maxima, pairsByMerging(glued, ranks, false));
+    }
+  }
+}
+
+// Results do not depend on the number of threads.
+TEST(VolumeCriticalPoints, doNotDependOnThreads)
+{
+  const Volume block = blockVolume(20, 20, 20);
+  const Values values = functionsOn(block)[1].values;
+  const auto find = [&](int threadCount)
+  {
+    return volumeCriticalPoints(
+      block.vertices, topologyOf(block, threadCount), values, { threadCount, {} });
+  };
+  const MeshCriticalPoints one = find(1);
+  const MeshCriticalPoints four = find(4);
+  ASSERT_EQ(one.points.size(), four.points.size());
+  for (std::size_t i = 0; i < one.points.size(); ++i)
+  {
+    EXPECT_EQ(one.points[i].input, four.points[i].input);
+    EXPECT_EQ(one.points[i].type, four.points[i].type);
+    EXPECT_EQ(one.points[i].persistence, four.points[i].persistence);
+  }
+}
+
+TEST(VolumeCriticalPoints, refusesOtherValues)
+{
+  const Volume block = blockVolume(2, 2, 2);
+  const VolumeTopology topology = topologyOf(block);
+  Values values = Values::Zero(27);
+  EXPECT_THROW(classifyVolumeVertices(topology, Values::Zero(26)), InvalidInput);
+  EXPECT_THROW(volumeCriticalPoints(Points::Zero(3, 26), topology, values), InvalidInput);
+  values[13] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(classifyVolumeVertices(topology, values), InvalidInput);
+  EXPECT_THROW(
+    classifyVolumeVertices(topology, Values::Zero(27), { 1, [](double) { return false; } }),
+    Aborted);
+}
+
+} // namespace
+} // namespace SurfaceScalars::Truth
