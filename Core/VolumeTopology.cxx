@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -128,9 +127,8 @@ void VolumeTopology::checkTetrahedra(const VertexName& nameOf) const
 {
   const Eigen::Index count = this->tetrahedra_.cols();
   require(count > 0, "tetrahedra", "none", "Choose a volume, or a filter for point sets.");
-  constexpr Eigen::Index most = std::numeric_limits<Index>::max() / 12; // edges
-  require(count <= most,
-    "at most " + std::to_string(most) + " tetrahedra, for indices are numbers of 32 bits",
+  require(count <= MostTetrahedra,
+    "at most " + std::to_string(MostTetrahedra) + " tetrahedra, for indices are numbers of 32 bits",
     std::to_string(count), "Choose a smaller volume.");
   for (Eigen::Index t = 0; t < count; ++t)
   {

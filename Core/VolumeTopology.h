@@ -4,6 +4,7 @@
 #include "Tetrahedra.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace SurfaceScalars
@@ -23,6 +24,9 @@ namespace SurfaceScalars
 class SURFACESCALARSCORE_EXPORT VolumeTopology
 {
 public:
+  /// More are refused: indices are numbers of 32 bits.
+  static constexpr Eigen::Index MostTetrahedra = std::numeric_limits<Index>::max() / 12; // edges
+
   /**
    * @param tetrahedra corners below vertexCount, four different ones each
    * @throws InvalidInput that names a vertex: for a face of more than two tetrahedra, a vertex

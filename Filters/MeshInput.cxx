@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -76,12 +75,7 @@ Eigen::Index dropMissing(
   FilterRun& run, const Points& points, const Values& values, Triangles& triangles)
 {
   const bool hasValues = values.size() > 0;
-  std::vector<char> missing(static_cast<std::size_t>(points.cols()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-  {
-    missing[static_cast<std::size_t>(i)] =
-      (hasValues && !std::isfinite(values(i))) || !points.col(i).allFinite();
-  }
+  const std::vector<char> missing = missingPoints(points, values);
   const Eigen::Index count = std::count(missing.begin(), missing.end(), 1);
   if (count > 0)
   {
@@ -97,16 +91,6 @@ Eigen::Index dropMissing(
       (hasValues ? " and value" : ""),
     "none", hasValues ? "Choose another array or another input." : "Choose another input.");
   return count;
-}
-
-VertexMap allPoints(Eigen::Index count)
-{
-  VertexMap map;
-  map.vertexOfPoint.resize(static_cast<std::size_t>(count));
-  map.pointOfVertex.resize(static_cast<std::size_t>(count));
-  std::iota(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), Index(0));
-  std::iota(map.pointOfVertex.begin(), map.pointOfVertex.end(), vtkIdType{ 0 });
-  return map;
 }
 
 /// What is left of the triangles between points. @param values empty if there are none
@@ -141,6 +125,17 @@ std::vector<Index> boundaryByPlace(const Points& places, const MeshTopology& top
 }
 
 } // namespace
+
+std::vector<char> missingPoints(const Points& points, const Values& values)
+{
+  std::vector<char> missing(static_cast<std::size_t>(points.cols()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  {
+    missing[static_cast<std::size_t>(i)] =
+      (values.size() > 0 && !std::isfinite(values(i))) || !points.col(i).allFinite();
+  }
+  return missing;
+}
 
 MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* input)
 {

@@ -4,6 +4,7 @@
 #include "SurfaceVertices.h"
 
 #include <string>
+#include <vector>
 
 class vtkPolyData;
 
@@ -34,6 +35,9 @@ MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* inpu
 
 /// The same without a function: reads the triangles only.
 MeshedSurface readSurface(FilterRun& run, const Execution& execution, vtkPolyData* input);
+
+/// Not 0 for those without a finite position or value. @param values empty if there are none
+std::vector<char> missingPoints(const Points& points, const Values& values);
 
 /// Counts the vertices on the boundary that are at the place of another one in a note: where the
 /// mesh may be torn by mistake.

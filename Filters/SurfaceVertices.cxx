@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -100,14 +101,25 @@ VertexMap vertexMap(
   return map;
 }
 
-void noteOutside(FilterRun& run, const VertexMap& map, Eigen::Index missing)
+VertexMap allPoints(Eigen::Index count)
+{
+  VertexMap map;
+  map.vertexOfPoint.resize(static_cast<std::size_t>(count));
+  map.pointOfVertex.resize(static_cast<std::size_t>(count));
+  std::iota(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), Index(0));
+  std::iota(map.pointOfVertex.begin(), map.pointOfVertex.end(), vtkIdType{ 0 });
+  return map;
+}
+
+void noteOutside(
+  FilterRun& run, const VertexMap& map, Eigen::Index missing, const std::string& simplex)
 {
   const Eigen::Index outside =
     std::count(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), VertexMap::None) - missing;
   if (outside > 0)
   {
     run.note(std::to_string(outside) + " of " + std::to_string(map.pointCount()) +
-      " points are in no triangle and get NaN.");
+      " points are in no " + simplex + " and get NaN.");
   }
 }
 
@@ -122,25 +134,7 @@ SampledSurface sampledSurface(
 
 MeshedSurface surfaceOf(const Points& points, Triangles triangles, VertexMap map)
 {
-  std::vector<Index> numbers(map.pointOfVertex.size(), VertexMap::None);
-  for (const Index corner : triangles.reshaped())
-  {
-    numbers[corner] = 0;
-  }
-  Index count = 0;
-  for (std::size_t vertex = 0; vertex < numbers.size(); ++vertex)
-  {
-    if (numbers[vertex] != VertexMap::None)
-    {
-      map.pointOfVertex[count] = map.pointOfVertex[vertex];
-      numbers[vertex] = count++;
-    }
-  }
-  map.pointOfVertex.resize(count);
-  const auto renumber = [&](Index& vertex)
-  { vertex = vertex == VertexMap::None ? vertex : numbers[vertex]; };
-  std::for_each(triangles.data(), triangles.data() + triangles.size(), renumber);
-  std::for_each(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), renumber);
+  keepCorners(triangles, map);
   Points vertices = points(Eigen::all, map.pointOfVertex);
   return { std::move(vertices), std::move(triangles), std::move(map) };
 }

@@ -6,7 +6,9 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -39,8 +41,40 @@ struct VertexMap
 VertexMap vertexMap(
   const PointCloud& cloud, const std::vector<vtkIdType>& ids, vtkIdType pointCount);
 
+/// All points as vertices.
+VertexMap allPoints(Eigen::Index count);
+
 /// Counts the points that are no vertices in a note, those that are missing not counted.
-void noteOutside(FilterRun& run, const VertexMap& map, Eigen::Index missing);
+/// @param simplex of which they would be
+void noteOutside(FilterRun& run, const VertexMap& map, Eigen::Index missing,
+  const std::string& simplex = "triangle");
+
+/// Leaves the vertices that are no corners of simplices out and renumbers the others in their
+/// order.
+/// @param simplices Triangles or Tetrahedra @param map of vertices to points before
+template <class Simplices>
+void keepCorners(Simplices& simplices, VertexMap& map)
+{
+  std::vector<Index> numbers(map.pointOfVertex.size(), VertexMap::None);
+  for (const Index corner : simplices.reshaped())
+  {
+    numbers[corner] = 0;
+  }
+  Index count = 0;
+  for (std::size_t vertex = 0; vertex < numbers.size(); ++vertex)
+  {
+    if (numbers[vertex] != VertexMap::None)
+    {
+      map.pointOfVertex[count] = map.pointOfVertex[vertex];
+      numbers[vertex] = count++;
+    }
+  }
+  map.pointOfVertex.resize(count);
+  const auto renumber = [&](Index& vertex)
+  { vertex = vertex == VertexMap::None ? vertex : numbers[vertex]; };
+  std::for_each(simplices.data(), simplices.data() + simplices.size(), renumber);
+  std::for_each(map.vertexOfPoint.begin(), map.vertexOfPoint.end(), renumber);
+}
 
 /// The surface sampled by all points with a finite position.
 struct SampledSurface

@@ -1,0 +1,358 @@
+#include "DomainInput.h"
+
+#include "ExplicitPoints.h"
+#include "FilterRun.h"
+#include "PointSetInput.h"
+#include "Require.h"
+#include "ScalarChoice.h"
+#include "SolidCells.h"
+#include "SurfaceTriangles.h"
+#include "VolumeTopology.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr vtkIdType Step = 1 << 14; // cells between two reports
+constexpr double CellShare = 0.6;   // of the whole
+
+/// What the cells of a dataset are.
+struct CellCounts
+{
+  vtkIdType flat = 0;
+  vtkIdType solid = 0;
+  vtkIdType other = 0;         ///< vertices and lines
+  Eigen::Index tetrahedra = 0; ///< that the solid ones are cut into
+};
+
+bool isFlat(int type)
+{
+  return type == VTK_TRIANGLE || type == VTK_TRIANGLE_STRIP || type == VTK_POLYGON ||
+    type == VTK_PIXEL || type == VTK_QUAD;
+}
+
+CellCounts countCells(vtkDataSet* input)
+{
+  CellCounts counts;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const int type = input->GetCellType(cell);
+    const int tetrahedra = tetrahedronCount(type);
+    counts.tetrahedra += tetrahedra;
+    if (tetrahedra > 0)
+    {
+      ++counts.solid;
+    }
+    else if (isFlat(type))
+    {
+      ++counts.flat;
+    }
+    else if (type != VTK_EMPTY_CELL) // which is what is hidden in a grid
+    {
+      require(
+        type == VTK_VERTEX || type == VTK_POLY_VERTEX || type == VTK_LINE || type == VTK_POLY_LINE,
+        "cells that are triangles, quads, polygons, tetrahedra, voxels, hexahedra, wedges or "
+        "pyramids",
+        "a " + std::string(vtkCellTypes::GetClassNameFromTypeId(type)) + ", cell " +
+          std::to_string(cell),
+        "Apply Tetrahedralize first.");
+      ++counts.other;
+    }
+  }
+  return counts;
+}
+
+/// Calls visit(cell, type, corners) for each cell.
+template <class Visit>
+void forEachCell(vtkDataSet* input, const Execution& execution, const Visit& visit)
+{
+  const vtkIdType count = input->GetNumberOfCells();
+  const vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    if (cell % Step == 0)
+    {
+      execution.report(static_cast<double>(cell) / static_cast<double>(count));
+    }
+    const int type = input->GetCellType(cell);
+    if (type != VTK_EMPTY_CELL)
+    {
+      input->GetCellPoints(cell, corners);
+      visit(cell, type, corners);
+    }
+  }
+}
+
+/// The flat cells of a dataset as polydata, whose cells are parts of those.
+struct FlatCells
+{
+  vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();
+  std::vector<vtkIdType> cells; ///< of the dataset, by cell of the surface
+};
+
+void addFlatCell(int type, vtkIdList* corners, vtkCellArray* polygons)
+{
+  const vtkIdType* ids = corners->GetPointer(0);
+  if (type == VTK_PIXEL)
+  {
+    polygons->InsertNextCell({ ids[0], ids[1], ids[3] });
+    polygons->InsertNextCell({ ids[0], ids[3], ids[2] });
+  }
+  else if (type == VTK_TRIANGLE_STRIP)
+  {
+    for (vtkIdType i = 0; i + 2 < corners->GetNumberOfIds(); ++i)
+    {
+      polygons->InsertNextCell({ ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2] });
+    }
+  }
+  else
+  {
+    polygons->InsertNextCell(corners);
+  }
+}
+
+FlatCells flatCellsOf(vtkDataSet* input, const Execution& execution)
+{
+  FlatCells flat;
+  const vtkSmartPointer<vtkPointSet> points = withExplicitPoints(input);
+  const vtkNew<vtkCellArray> polygons;
+  forEachCell(input, execution,
+    [&](vtkIdType cell, int type, vtkIdList* corners)
+    {
+      if (isFlat(type))
+      {
+        addFlatCell(type, corners, polygons);
+        flat.cells.resize(static_cast<std::size_t>(polygons->GetNumberOfCells()), cell);
+      }
+    });
+  flat.surface->SetPoints(points->GetPoints());
+  flat.surface->SetPolys(polygons);
+  flat.surface->GetPointData()->ShallowCopy(input->GetPointData());
+  return flat;
+}
+
+/// The cells of the triangles of a surface that were kept: some of all, in their order.
+std::vector<vtkIdType> cellsOfKept(
+  const MeshInput& mesh, vtkPolyData* surface, const Execution& execution)
+{
+  std::vector<vtkIdType> cellOf;
+  const Triangles all = trianglesOf(surface, execution, &cellOf);
+  const Triangles& kept = mesh.surface.triangles;
+  const auto pointOf = [&](Index vertex)
+  { return static_cast<Index>(mesh.surface.map.pointOfVertex[vertex]); };
+  std::vector<vtkIdType> cells(static_cast<std::size_t>(kept.cols()));
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const auto corners = kept.col(static_cast<Eigen::Index>(i)).unaryExpr(pointOf);
+    while (all.col(next) != corners)
+    {
+      ++next;
+    }
+    cells[i] = cellOf[static_cast<std::size_t>(next++)];
+  }
+  return cells;
+}
+
+DomainInput readPolyData(FilterRun& run, const Execution& execution, vtkPolyData* input)
+{
+  DomainInput domain;
+  domain.mesh = readMesh(run, execution.part(0.0, CellShare), input);
+  domain.cells = cellsOfKept(domain.mesh, input, execution.part(CellShare, 1.0));
+  return domain;
+}
+
+DomainInput readFlatCells(FilterRun& run, const Execution& execution, vtkDataSet* input)
+{
+  const FlatCells flat = flatCellsOf(input, execution.part(0.0, 0.5));
+  DomainInput domain = readPolyData(run, execution.part(0.5, 1.0), flat.surface);
+  for (vtkIdType& cell : domain.cells)
+  {
+    cell = flat.cells[static_cast<std::size_t>(cell)];
+  }
+  return domain;
+}
+
+/// Reads the tetrahedra one after the other; corners are ids of points.
+class TetrahedronReader
+{
+public:
+  TetrahedronReader(vtkIdType pointCount, const CellCounts& counts)
+    : pointCount_(pointCount)
+    , tetrahedra_(4, counts.tetrahedra)
+  {
+    this->cells_.reserve(static_cast<std::size_t>(counts.tetrahedra));
+  }
+
+  void add(vtkIdType cell, int type, vtkIdList* corners)
+  {
+    this->pieces_.clear();
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType corner = corners->GetId(i);
+      require(corner >= 0 && corner < this->pointCount_,
+        "cells whose corners are points 0 to " + std::to_string(this->pointCount_ - 1),
+        "a corner " + std::to_string(corner), "Check what made this grid.");
+    }
+    cutIntoTetrahedra(type, corners->GetPointer(0), this->pieces_);
+    for (std::array<vtkIdType, 4> piece : this->pieces_)
+    {
+      std::sort(piece.begin(), piece.end());
+      if (std::adjacent_find(piece.begin(), piece.end()) == piece.end())
+      {
+        const auto place = static_cast<Eigen::Index>(this->cells_.size());
+        std::transform(piece.begin(), piece.end(), this->tetrahedra_.col(place).data(),
+          [](vtkIdType corner) { return static_cast<Index>(corner); });
+        this->cells_.push_back(cell);
+      }
+    }
+  }
+
+  /// Hands over what was read. What has a corner twice is counted in a note.
+  void finish(FilterRun& run, DomainInput& domain)
+  {
+    const Eigen::Index total = this->tetrahedra_.cols();
+    const auto count = static_cast<Eigen::Index>(this->cells_.size());
+    if (count < total)
+    {
+      this->tetrahedra_.conservativeResize(4, count);
+      run.note(std::to_string(total - count) + " of " + std::to_string(total) +
+        " tetrahedra have the same corner twice and are ignored.");
+    }
+    domain.tetrahedra = std::move(this->tetrahedra_);
+    domain.cells = std::move(this->cells_);
+  }
+
+private:
+  vtkIdType pointCount_;
+  Tetrahedra tetrahedra_;
+  std::vector<vtkIdType> cells_;
+  std::vector<std::array<vtkIdType, 4>> pieces_; ///< of one cell
+};
+
+void checkSize(const CellCounts& counts, vtkIdType pointCount)
+{
+  constexpr Eigen::Index most = VolumeTopology::MostTetrahedra;
+  require(counts.tetrahedra <= most && pointCount < std::numeric_limits<Index>::max(),
+    "at most " + std::to_string(most) +
+      " tetrahedra (6 per voxel), for indices are numbers of 32 "
+      "bits",
+    std::to_string(counts.tetrahedra), "Extract a part (Extract Subset), or every other voxel.");
+}
+
+/// Drops the tetrahedra around points without a finite position or value.
+/// @returns how many points these are
+Eigen::Index dropMissing(
+  FilterRun& run, const Points& points, const Values& values, DomainInput& domain)
+{
+  const std::vector<char> missing = missingPoints(points, values);
+  const Eigen::Index missingCount = std::count(missing.begin(), missing.end(), 1);
+  if (missingCount == 0)
+  {
+    return 0;
+  }
+  Tetrahedra& tetrahedra = domain.tetrahedra;
+  const Eigen::Index total = tetrahedra.cols();
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < total; ++i)
+  {
+    const auto corners = tetrahedra.col(i);
+    if (std::none_of(corners.begin(), corners.end(), [&](Index corner) { return missing[corner]; }))
+    {
+      domain.cells[static_cast<std::size_t>(count)] = domain.cells[static_cast<std::size_t>(i)];
+      tetrahedra.col(count++) = corners;
+    }
+  }
+  tetrahedra.conservativeResize(4, count);
+  domain.cells.resize(static_cast<std::size_t>(count));
+  run.note("Left out " + std::to_string(missingCount) + " of " + std::to_string(points.cols()) +
+    " points whose position or value is NaN or infinite, with " + std::to_string(total - count) +
+    " of " + std::to_string(total) + " tetrahedra: the volume has holes there.");
+  require(count > 0, "tetrahedra between points with a finite position and value", "none",
+    "Choose another array or another input.");
+  return missingCount;
+}
+
+DomainInput readSolidCells(
+  FilterRun& run, const Execution& execution, vtkDataSet* input, const CellCounts& counts)
+{
+  checkSize(counts, input->GetNumberOfPoints());
+  const vtkSmartPointer<vtkPointSet> pointSet = withExplicitPoints(input);
+  const ScalarChoice choice = chooseScalars(run.filter(), { pointSet });
+  DomainInput domain;
+  TetrahedronReader reader(input->GetNumberOfPoints(), counts);
+  forEachCell(input, execution.part(0.0, CellShare),
+    [&](vtkIdType cell, int type, vtkIdList* corners)
+    {
+      if (tetrahedronCount(type) > 0)
+      {
+        reader.add(cell, type, corners);
+      }
+    });
+  reader.finish(run, domain);
+  const Points points = readPoints(pointSet->GetPoints(), execution.part(CellShare, 0.8));
+  Values values(points.cols());
+  copyNumbers(choice.arrays.front(), values.data(), execution.part(0.8, 0.9));
+  const Eigen::Index missing = dropMissing(run, points, values, domain);
+  domain.mesh.surface.map = allPoints(points.cols());
+  VertexMap& map = domain.mesh.surface.map;
+  keepCorners(domain.tetrahedra, map);
+  noteOutside(run, map, missing, "tetrahedron");
+  domain.mesh.surface.vertices = points(Eigen::all, map.pointOfVertex);
+  domain.mesh.values = values(map.pointOfVertex);
+  domain.mesh.valueName = choice.name;
+  execution.report(1.0);
+  return domain;
+}
+
+void noteIgnored(FilterRun& run, vtkIdType ignored, vtkIdType total, const std::string& cells)
+{
+  if (ignored > 0)
+  {
+    run.note(std::to_string(ignored) + " of " + std::to_string(total) + " cells are " + cells +
+      " and ignored.");
+  }
+}
+
+} // namespace
+
+DomainInput readDomain(FilterRun& run, const Execution& execution, vtkDataSet* input)
+{
+  require(input && input->GetNumberOfPoints() > 0, "a surface or volume", "no points",
+    "Check what is upstream.");
+  if (auto* surface = vtkPolyData::SafeDownCast(input))
+  {
+    return readPolyData(run, execution, surface);
+  }
+  const vtkIdType total = input->GetNumberOfCells();
+  const CellCounts counts = countCells(input);
+  require(counts.flat + counts.solid > 0, "triangles, quads or polygons, or cells of a volume",
+    "none among " + std::to_string(total) + " cells",
+    "Use Fuzzy Critical Points, Point Set Contour, RBF Extend or another point-set filter for "
+    "points without cells.");
+  if (counts.solid == 0)
+  {
+    noteIgnored(run, counts.other, total, "vertices or lines");
+    return readFlatCells(run, execution, input);
+  }
+  noteIgnored(run, counts.flat + counts.other, total, "flat, lines or vertices");
+  return readSolidCells(run, execution, input, counts);
+}
+
+} // namespace SurfaceScalars
