@@ -1,6 +1,7 @@
 #include "vtkRBFExtend.h"
 
 #include "Error.h"
+#include "ExplicitPoints.h"
 #include "FieldModelData.h"
 #include "FieldTarget.h"
 #include "FilterRun.h"
@@ -116,12 +117,11 @@ void vtkRBFExtend::RemoveTarget()
 
 int vtkRBFExtend::FillInputPortInformation(int port, vtkInformation* information)
 {
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, information);
-  }
   acceptTargets(information);
-  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
 }
 
@@ -181,7 +181,7 @@ int vtkRBFExtend::RequestData(
     [&](FilterRun& run)
     {
       const Execution& execution = run.execution();
-      vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+      const auto input = withExplicitPoints(vtkDataObject::GetData(inputs[0]));
       refuseModel(input);
       Samples samples = readSamples(run, execution.part(0.0, ReadShare), input);
       const std::string valueName = samples.valueName;

@@ -2,9 +2,10 @@
  * @class   vtkRBFExtend
  * @brief   extends a function off its samples: to points, a mesh, a grid
  *
- * Input (port 0) is points with a point array f, chosen by SetInputArrayToProcess(0, ...). Target
- * (port 1, optional) is any dataset or composite of datasets. The output is the target with f~ at
- * its points; vtkFieldAlgorithm says what f~ is.
+ * Input (port 0) is any dataset with a point array f, chosen by SetInputArrayToProcess(0, ...): its
+ * points count, be it a cloud, a mesh, an image or another grid. Target (port 1, optional) is any
+ * dataset or composite of datasets. The output is the target with f~ at its points;
+ * vtkFieldAlgorithm says what f~ is.
  *
  * Port 0 has the target's type (so that for others than polydata it is GetOutputDataObject(0)); a
  * composite keeps its structure, and all arrays of the target pass through. Without a target it is

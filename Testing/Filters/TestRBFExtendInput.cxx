@@ -155,6 +155,32 @@ TEST(RBFExtendInput, noScalars)
   expectRefusal(makeCloud(randomCube(50, 1)), { "no active scalars" });
 }
 
+// Of an image or another grid the points count, alone or as a block.
+TEST(RBFExtendInput, samplesOnGrids)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 6, 7);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  image->SetSpacing(0.5, 0.4, 0.3);
+  Points points(3, image->GetNumberOfPoints());
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  {
+    image->GetPoint(i, points.col(i).data());
+  }
+  const auto cloud = makeCloud(points, wave);
+  image->GetPointData()->ShallowCopy(cloud->GetPointData());
+  vtkNew<vtkImageToStructuredGrid> convert;
+  convert->SetInputData(image);
+  convert->Update();
+  convert->GetOutput()->GetPointData()->SetActiveScalars("f");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, image);
+  const Eigen::MatrixXd expected = extended(cloud);
+  EXPECT_EQ(extended(image), expected);
+  EXPECT_EQ(extended(convert->GetOutput()), expected);
+  EXPECT_EQ(extended(blocks), expected);
+}
+
 // Blocks of samples are one cloud.
 TEST(RBFExtendInput, samplesInBlocks)
 {

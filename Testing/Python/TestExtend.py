@@ -44,6 +44,13 @@ class TestExtend(unittest.TestCase):
         error = support.point_array(grid, "f") - wave(places)
         self.assertLess(numpy.abs(error[inside]).max(), 0.02)
 
+    def test_samples_on_an_image(self):
+        coarse = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+        same = simple.RBFExtend(Input=coarse, Target=coarse)
+        values = support.point_array(support.fetch(same), "RTData")
+        samples_there = support.point_array(support.fetch(same), "RTDataInput")
+        self.assertLess(numpy.abs(values - samples_there).max(), 1e-3)
+
     def test_contour_slice_and_picture_of_the_grid(self):
         extend = simple.RBFExtend(Input=samples(), GridDimensions=[12, 12, 12])
         contour = simple.Contour(Input=extend, ContourBy=["POINTS", "f"], Isosurfaces=[0.2])
