@@ -1,11 +1,11 @@
 #include "GeodesicDistance.h"
 
+#include "Front.h"
 #include "Require.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <string>
 #include <utility>
 
@@ -123,20 +123,18 @@ public:
   March(const NeighborGraph& graph, const std::vector<Index>& sources, const Execution& execution)
     : graph_(graph)
     , reverse_(graph, execution.part(0.0, 0.1))
-    , distances_(Values::Constant(graph.pointCount(), Infinity))
+    , front_(graph.pointCount())
     , isPassed_(graph.pointCount(), 0)
   {
     for (const Index source : sources)
     {
-      this->offer(source, 0.0);
+      this->front_.offer(source, 0.0);
     }
   }
 
   Values run(const Execution& execution);
 
 private:
-  using Arrival = std::pair<double, Index>;
-
   double length(Index from, Index to) const
   {
     return (this->graph_.points().col(from) - this->graph_.points().col(to)).norm();
@@ -156,22 +154,12 @@ private:
     return this->graph_.neighbors(point).size() + this->reverse_.of(point).size();
   }
 
-  void offer(Index point, double distance)
-  {
-    if (distance < this->distances_[point])
-    {
-      this->distances_[point] = distance;
-      this->front_.emplace(distance, point);
-    }
-  }
-
   double distanceThrough(Index passed, Index point) const;
 
   const NeighborGraph& graph_;
   ReverseNeighbors reverse_;
-  Values distances_;
+  Front front_;
   std::vector<char> isPassed_;
-  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> front_;
 };
 
 /// The shortest way to a point from the neighbor that was passed last, or across the segment
@@ -179,7 +167,7 @@ private:
 double March::distanceThrough(Index passed, Index point) const
 {
   Triangle triangle{};
-  triangle.first = this->distances_[passed];
+  triangle.first = this->front_.distance(passed);
   triangle.toFirst = this->length(point, passed);
   double distance = triangle.first + triangle.toFirst;
   this->forEachNeighbor(point,
@@ -187,7 +175,7 @@ double March::distanceThrough(Index passed, Index point) const
     {
       if (this->isPassed_[other] != 0 && other != passed)
       {
-        triangle.second = this->distances_[other];
+        triangle.second = this->front_.distance(other);
         triangle.toSecond = this->length(point, other);
         triangle.between = this->length(passed, other);
         if (triangle.isAcute())
@@ -203,21 +191,16 @@ Values March::run(const Execution& execution)
 {
   const auto count = static_cast<double>(this->graph_.pointCount());
   std::size_t ways = 0; // since the last report
-  for (std::size_t passed = 0; !this->front_.empty();)
+  std::size_t passed = 0;
+  for (Index point = 0; this->front_.pass(point); ++passed)
   {
-    const Index point = this->front_.top().second;
-    this->front_.pop();
-    if (this->isPassed_[point] != 0)
-    {
-      continue; // by a shorter way
-    }
     this->isPassed_[point] = 1;
     this->forEachNeighbor(point,
       [&](Index next)
       {
         if (this->isPassed_[next] == 0)
         {
-          this->offer(next, this->distanceThrough(point, next));
+          this->front_.offer(next, this->distanceThrough(point, next));
           ways += this->neighborCount(next);
         }
         if (ways > MostWays)
@@ -226,10 +209,9 @@ Values March::run(const Execution& execution)
           ways = 0;
         }
       });
-    ++passed;
   }
   execution.report(1.0);
-  return std::move(this->distances_);
+  return this->front_.distances();
 }
 
 void checkSources(const NeighborGraph& graph, const std::vector<Index>& sources)
