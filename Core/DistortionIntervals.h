@@ -1,0 +1,35 @@
+#pragma once
+
+#include "CrossedCells.h"
+#include "LevelSetDistortion.h"
+
+#include <functional>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// Sets distances[i] to that between the levels intervals[i] and intervals[i] + 1.
+using MeasureIntervals = std::function<void(const CrossedCells& crossed,
+  const std::vector<Index>& intervals, double* distances, const Execution& execution)>;
+
+/// Measures the intervals between consecutive iso-values in which there is no critical value, in
+/// blocks of so many as memory allows for.
+/// @param cells that tell which levels are empty, by crossing none @param ranks of their corners
+/// @throws InvalidInput unless iso-values and critical values are ascending; Aborted
+LevelSetDistortion measureIntervals(const SimplicesRef& cells, const std::vector<Index>& ranks,
+  const ValuesRef& isoValues, const ValuesRef& criticalValues, const Execution& execution,
+  const MeasureIntervals& measure);
+
+/// @throws InvalidInput unless there is a finite value for each vertex, of a finite range
+void checkLevelValues(const PointsRef& vertices, const ValuesRef& values);
+
+/// The place between two vertices at which f, linear, has a value that lies between theirs.
+inline Vector3d crossingOf(
+  const PointsRef& vertices, const ValuesRef& values, Index from, Index to, double value)
+{
+  const double parameter = (value - values[from]) / (values[to] - values[from]);
+  return (1.0 - parameter) * vertices.col(from) + parameter * vertices.col(to);
+}
+
+} // namespace SurfaceScalars

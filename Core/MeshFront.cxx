@@ -1,0 +1,103 @@
+#include "MeshFront.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr char MostTurns = 2;
+
+} // namespace
+
+MeshFront::MeshFront(const PointsRef& vertices, const MeshTopology& mesh)
+  : vertices_(vertices)
+  , mesh_(mesh)
+  , front_(mesh.vertexCount())
+  , turns_(mesh.vertexCount(), 0)
+{
+  const Triangles& triangles = mesh.triangles();
+  for (Eigen::Index i = 0; i < triangles.cols(); ++i)
+  {
+    for (const int corner : { 0, 1, 2 })
+    {
+      const Index a = triangles(corner, i);
+      const Index b = triangles((corner + 1) % 3, i);
+      this->longestEdge_ = std::max(this->longestEdge_, (vertices.col(a) - vertices.col(b)).norm());
+    }
+  }
+}
+
+void MeshFront::clear()
+{
+  for (const Index vertex : this->front_.reached())
+  {
+    this->turns_[vertex] = 0;
+  }
+  this->front_.clear();
+}
+
+double MeshFront::across(const Vector3d& place, Index a, Index b) const
+{
+  const double first = this->distance(a);
+  const double second = this->distance(b);
+  const Vector3d origin = this->vertices_.col(a);
+  const Vector3d edge = this->vertices_.col(b) - origin;
+  const double length = edge.norm();
+  const double nearest =
+    std::min(first + (place - origin).norm(), second + (place - this->vertices_.col(b)).norm());
+  const double slope = (second - first) / length; // the sine of the angle at which the front comes
+  if (!(std::abs(slope) < 1.0))                   // nor is it a number where none has come
+  {
+    return nearest;
+  }
+  const double along = (place - origin).dot(edge) / length;
+  const double height = std::sqrt(std::max(0.0, (place - origin).squaredNorm() - along * along));
+  const double cosine = std::sqrt(1.0 - slope * slope);
+  const double crossing = along - height * slope / cosine;
+  const bool isBetween = crossing > 0.0 && crossing < length;
+  return isBetween ? std::min(nearest, first + slope * along + cosine * height) : nearest;
+}
+
+void MeshFront::pass(Index vertex)
+{
+  if (this->turns_[vertex] == MostTurns)
+  {
+    return;
+  }
+  ++this->turns_[vertex];
+  const VertexRange path = this->mesh_.linkPath(vertex);
+  for (const Index* next = path.first + 1; next != path.last; ++next)
+  {
+    this->offer(next[-1], this->across(this->vertices_.col(next[-1]), vertex, *next));
+    this->offer(*next, this->across(this->vertices_.col(*next), vertex, next[-1]));
+  }
+}
+
+void MeshFront::reach(const std::vector<Index>& targets, const Poll& poll)
+{
+  while (true)
+  {
+    poll();
+    double farthest = 0.0;
+    for (const Index target : targets)
+    {
+      farthest = std::max(farthest, this->distance(target));
+    }
+    // A way across an edge is shorter than the distances of its ends by less than its length.
+    const double enough = farthest + this->longestEdge_;
+    for (std::size_t i = 0; i <= targets.size(); ++i)
+    {
+      Index vertex = 0;
+      if (!this->front_.pass(vertex) || this->distance(vertex) > enough)
+      {
+        return;
+      }
+      this->pass(vertex);
+    }
+  }
+}
+
+} // namespace SurfaceScalars

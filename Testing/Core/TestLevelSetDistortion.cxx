@@ -1,0 +1,429 @@
+#include "Error.h"
+#include "LevelSetCoverage.h"
+#include "LevelSetDistortion.h"
+#include "MeshCriticalPoints.h"
+#include "MeshExamples.h"
+#include "MeshFunctions.h"
+#include "TetrahedralGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace SurfaceScalars::Truth
+{
+namespace
+{
+
+const Values None; ///< critical values
+
+/// The points in which edges of simplices cross a value; those of several simplices several times.
+std::vector<Vector3d> crossings(const SimplicialMesh& mesh, const Values& values, double isoValue)
+{
+  std::vector<Vector3d> points;
+  for (Eigen::Index simplex = 0; simplex < mesh.simplices.cols(); ++simplex)
+  {
+    for (const Index from : mesh.simplices.col(simplex))
+    {
+      for (const Index to : mesh.simplices.col(simplex))
+      {
+        if (values[from] < isoValue && values[to] >= isoValue)
+        {
+          const double t = (isoValue - values[from]) / (values[to] - values[from]);
+          points.emplace_back((1.0 - t) * mesh.vertices.col(from) + t * mesh.vertices.col(to));
+        }
+      }
+    }
+  }
+  return points;
+}
+
+/// Over all pairs.
+double hausdorff(const std::vector<Vector3d>& one, const std::vector<Vector3d>& other)
+{
+  const auto farthest = [](const std::vector<Vector3d>& from, const std::vector<Vector3d>& to)
+  {
+    double greatest = 0.0;
+    for (const Vector3d& place : from)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Vector3d& next : to)
+      {
+        least = std::min(least, (place - next).norm());
+      }
+      greatest = std::max(greatest, least);
+    }
+    return greatest;
+  };
+  return std::max(farthest(one, other), farthest(other, one));
+}
+
+/// All edges of simplices, those of several of them several times.
+Simplices edgesOfSimplices(const Simplices& simplices)
+{
+  const Eigen::Index pairs = simplices.rows() * (simplices.rows() - 1) / 2;
+  Simplices edges(2, pairs * simplices.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index simplex = 0; simplex < simplices.cols(); ++simplex)
+  {
+    for (Eigen::Index i = 0; i < simplices.rows(); ++i)
+    {
+      for (Eigen::Index j = 0; j < i; ++j)
+      {
+        edges.col(count++) << simplices(i, simplex), simplices(j, simplex);
+      }
+    }
+  }
+  return edges;
+}
+
+/// The distances are those over all pairs of crossings, in all intervals whose ends have some.
+void expectBruteForce(const SimplicialMesh& mesh, const Simplices& edges, const Values& values,
+  const Values& isoValues, const std::string& name)
+{
+  const LevelSetDistortion distortion =
+    hausdorffDistortion(mesh.vertices, edges, values, isoValues, None);
+  Eigen::Index row = 0;
+  for (Eigen::Index i = 0; i + 1 < isoValues.size(); ++i)
+  {
+    const auto one = crossings(mesh, values, isoValues[i]);
+    const auto other = crossings(mesh, values, isoValues[i + 1]);
+    if (!one.empty() && !other.empty())
+    {
+      ASSERT_LT(row, distortion.distances.size()) << name;
+      EXPECT_EQ(distortion.isoValues[row], isoValues[i]) << name;
+      EXPECT_NEAR(distortion.distances[row], hausdorff(one, other), 1e-12) << name;
+      ++row;
+    }
+  }
+  EXPECT_EQ(row, distortion.distances.size()) << name;
+  EXPECT_EQ(static_cast<std::size_t>(isoValues.size() - 1 - row), distortion.leftOut) << name;
+}
+
+// Hausdorff distances are those over all pairs of points, for smooth, noisy, random and stepped
+// functions on surfaces of all kinds.
+TEST(LevelSetDistortion, isTheHausdorffDistance)
+{
+  for (const NamedMesh& named : meshesOfAllKinds())
+  {
+    const SimplicialMesh mesh{ named.mesh.points, trianglesOf(named.mesh) };
+    for (const auto& [name, values] : meshFunctions(named.mesh, 1))
+    {
+      if (values.minCoeff() < values.maxCoeff())
+      {
+        expectBruteForce(mesh, edgesOf(topologyOf(named.mesh)), values, dyadicIsoValues(values, 4),
+          named.name + (", " + name));
+      }
+    }
+  }
+}
+
+// So they are in volumes.
+TEST(LevelSetDistortion, isTheHausdorffDistanceInVolumes)
+{
+  const SimplicialMesh grid = tetrahedralGrid(6);
+  Values values = (grid.vertices.colwise() - Vector3d(0.3, 0.4, 0.6)).colwise().norm();
+  const Simplices edges = edgesOfSimplices(grid.simplices);
+  expectBruteForce(grid, edges, values, dyadicIsoValues(values, 4), "distance");
+  addNoise(values, 0.3, 2);
+  expectBruteForce(grid, edges, values, dyadicIsoValues(values, 3), "noise");
+}
+
+// A mesh has vertices - edges + triangles = its characteristic, and each edge once.
+TEST(LevelSetDistortion, takesEachEdgeOnce)
+{
+  for (const NamedMesh& named : meshesOfAllKinds())
+  {
+    Simplices edges = edgesOf(topologyOf(named.mesh));
+    EXPECT_EQ(named.mesh.points.cols() - edges.cols() +
+        static_cast<Eigen::Index>(named.mesh.triangles.size()),
+      named.eulerCharacteristic)
+      << named.name;
+  }
+}
+
+/// Greatest relative error of the distances.
+double errorOf(const LevelSetDistortion& distortion, const std::function<double(double)>& exact)
+{
+  EXPECT_GT(distortion.distances.size(), 0);
+  double error = 0.0;
+  for (Eigen::Index i = 0; i < distortion.distances.size(); ++i)
+  {
+    const double truth = exact(distortion.isoValues[i]);
+    error = std::max(error, std::abs(distortion.distances[i] - truth) / truth);
+  }
+  return error;
+}
+
+// On the unit sphere, level sets of the height are circles: along the surface they are an arc from
+// each other, through space its chord.
+TEST(LevelSetDistortion, isAnArcOnTheSphere)
+{
+  const Values isoValues = Values::LinSpaced(12, -0.8, 0.8);
+  const auto arc = [&](double height)
+  { return std::asin(height + isoValues[1] - isoValues[0]) - std::asin(height); };
+  const auto chord = [&](double height) { return 2.0 * std::sin(0.5 * arc(height)); };
+  double bound = 0.04;
+  for (const int levels : { 4, 5, 6 })
+  {
+    const TriangleMesh mesh = subdividedSphere(levels);
+    const MeshTopology topology = topologyOf(mesh);
+    const Values height = Vector3d(0.36, 0.48, 0.8).transpose() * mesh.points;
+    EXPECT_LT(
+      errorOf(geodesicDistortion(mesh.points, topology, height, isoValues, None), arc), bound);
+    EXPECT_LT(
+      errorOf(hausdorffDistortion(mesh.points, edgesOf(topology), height, isoValues, None), chord),
+      4.0 * bound);
+    bound /= 2.0;
+  }
+}
+
+/// A flat annulus of radii 1 to 3. Vertices are moved along their circles by up to half an edge.
+TriangleMesh annulusMesh(int rings)
+{
+  const int around = 7 * rings;
+  TriangleMesh annulus = gridMesh(Grid::Cylinder, around, rings);
+  Random random(3);
+  for (Eigen::Index i = 0; i < annulus.points.cols(); ++i)
+  {
+    const double angle =
+      2.0 * Pi * (static_cast<double>(i / (rings + 1)) + random.uniform(0.0, 0.5)) / around;
+    const double radius = 1.0 + 2.0 * static_cast<double>(i % (rings + 1)) / rings;
+    annulus.points.col(i) << radius * std::cos(angle), radius * std::sin(angle), 0.0;
+  }
+  return annulus;
+}
+
+// On a flat annulus with the distance from its center, circles are as far from each other as their
+// radii differ, whatever the triangles.
+TEST(LevelSetDistortion, isTheDifferenceOfRadii)
+{
+  const Values isoValues = Values::LinSpaced(9, 1.1, 2.9);
+  const double step = isoValues[1] - isoValues[0];
+  double bound = 0.04;
+  for (const int rings : { 24, 48, 96 })
+  {
+    const TriangleMesh annulus = annulusMesh(rings);
+    const Values radii = annulus.points.colwise().norm();
+    EXPECT_LT(
+      errorOf(geodesicDistortion(annulus.points, topologyOf(annulus), radii, isoValues, None),
+        [step](double) { return step; }),
+      bound);
+    bound /= 2.0;
+  }
+}
+
+// Thin triangles are no obstacle: a sphere drawn out to a needle, whose level sets are ellipses,
+// closest at the flanks and farthest on the axis.
+TEST(LevelSetDistortion, standsThinTriangles)
+{
+  TriangleMesh mesh = subdividedSphere(4);
+  const Values height = mesh.points.row(2).transpose();
+  mesh.points.row(0) *= 1000.0;
+  const Values isoValues = Values::LinSpaced(7, -0.6, 0.6);
+  const MeshTopology topology = topologyOf(mesh);
+  const Values distances =
+    geodesicDistortion(mesh.points, topology, height, isoValues, None).distances;
+  const Values straight =
+    hausdorffDistortion(mesh.points, edgesOf(topology), height, isoValues, None).distances;
+  for (Eigen::Index i = 0; i < distances.size(); ++i)
+  {
+    const auto halfAxis = [&](Eigen::Index level)
+    { return 1000.0 * std::sqrt(1.0 - isoValues[level] * isoValues[level]); };
+    EXPECT_GE(distances[i], 0.9 * std::abs(halfAxis(i + 1) - halfAxis(i)));
+    EXPECT_LT(distances[i], straight[i] + 100.0);
+  }
+}
+
+/// Half of a cylinder of radius 1 and height 1.
+TriangleMesh halfCylinder(int around, int high)
+{
+  TriangleMesh mesh = gridMesh(Grid::Patch, around, high);
+  for (int i = 0; i < mesh.points.cols(); ++i)
+  {
+    const double angle = Pi * (i / (high + 1)) / around;
+    mesh.points.col(i) << std::cos(angle), std::sin(angle),
+      static_cast<double>(i % (high + 1)) / high;
+  }
+  return mesh;
+}
+
+Values anglesOf(const TriangleMesh& mesh)
+{
+  return Values::NullaryExpr(mesh.points.cols(),
+    [&](Eigen::Index i) { return std::atan2(mesh.points(1, i), mesh.points(0, i)); });
+}
+
+// With the angle on a cylinder, level sets are straight: along the surface the angle apart, which
+// its triangles, wound up, reproduce but for the chords of their edges.
+TEST(LevelSetDistortion, isAnAngleOnTheCylinder)
+{
+  const TriangleMesh mesh = halfCylinder(120, 30);
+  const Values isoValues = Values::LinSpaced(5, 0.2, 2.9);
+  const double angle = isoValues[1] - isoValues[0];
+  const LevelSetDistortion geodesic =
+    geodesicDistortion(mesh.points, topologyOf(mesh), anglesOf(mesh), isoValues, None);
+  EXPECT_LT(errorOf(geodesic, [angle](double) { return angle; }), 1e-3);
+  const LevelSetDistortion straight =
+    hausdorffDistortion(mesh.points, edgesOf(topologyOf(mesh)), anglesOf(mesh), isoValues, None);
+  EXPECT_LT(errorOf(straight, [angle](double) { return 2.0 * std::sin(0.5 * angle); }), 2e-3);
+}
+
+// The paper's claim: the more level sets, the closer are the two distances, as far as there are
+// vertices between level sets.
+TEST(LevelSetDistortion, bothDistancesGetCloser)
+{
+  const TriangleMesh mesh = halfCylinder(400, 127);
+  const MeshTopology topology = topologyOf(mesh);
+  const Values angles = anglesOf(mesh);
+  double last = std::numeric_limits<double>::infinity();
+  for (const int steps : { 2, 3, 4 })
+  {
+    const Values isoValues = dyadicIsoValues(angles, steps);
+    const Values straight =
+      hausdorffDistortion(mesh.points, edgesOf(topology), angles, isoValues, None).distances;
+    const Values geodesic =
+      geodesicDistortion(mesh.points, topology, angles, isoValues, None).distances;
+    const double ratio = (geodesic.array() / straight.array() - 1.0).abs().maxCoeff();
+    EXPECT_LT(ratio, 0.3 * last) << steps; // a quarter: arc and chord differ in third order
+    last = ratio;
+  }
+}
+
+// Intervals that hold a critical value, ends included, are left out and counted; what is left is
+// what it is without them.
+TEST(LevelSetDistortion, leavesCriticalValuesOut)
+{
+  const TriangleMesh mesh = subdividedSphere(4);
+  const Simplices edges = edgesOf(topologyOf(mesh));
+  const Values height = mesh.points.row(2).transpose();
+  const Values isoValues = Values::LinSpaced(9, -0.8, 0.8);
+  const Values critical = Eigen::Vector3d(-0.7, isoValues[4], 0.95);
+  const LevelSetDistortion all = hausdorffDistortion(mesh.points, edges, height, isoValues, None);
+  const LevelSetDistortion some =
+    hausdorffDistortion(mesh.points, edges, height, isoValues, critical);
+  ASSERT_EQ(all.distances.size(), 8);
+  EXPECT_EQ(all.leftOut, 0u);
+  EXPECT_EQ(some.leftOut, 3u);
+  const std::vector<Eigen::Index> left = { 1, 2, 5, 6, 7 };
+  EXPECT_EQ(some.distances, Values(all.distances(left)));
+  EXPECT_EQ(some.isoValues, Values(isoValues(left)));
+}
+
+// Two surfaces with a gap between their values: no level set is in the gap, and no way leads from
+// one to the other. Between their own critical values each has its distances.
+TEST(LevelSetDistortion, knowsComponents)
+{
+  const TriangleMesh mesh = besideEachOther(subdividedSphere(3), subdividedSphere(3));
+  const MeshTopology topology = topologyOf(mesh);
+  Values height = mesh.points.row(2).transpose();
+  height.tail(height.size() / 2).array() += 5.0;
+  const Values isoValues = Values::LinSpaced(70, -0.95, 5.95);
+  for (const LevelSetDistortion& distortion :
+    { hausdorffDistortion(mesh.points, edgesOf(topology), height, isoValues, None),
+      geodesicDistortion(mesh.points, topology, height, isoValues, None) })
+  {
+    EXPECT_EQ(distortion.distances.size(), 38);
+    EXPECT_EQ(distortion.leftOut, 31u);
+    EXPECT_TRUE(distortion.distances.allFinite());
+    EXPECT_LT(distortion.distances.maxCoeff(), 0.5);
+  }
+  // Overlapping ranges: where a level set has a part on one sphere alone, no way leads to it.
+  height.tail(height.size() / 2).array() -= 4.0;
+  const LevelSetDistortion distortion =
+    geodesicDistortion(mesh.points, topology, height, Eigen::Vector3d(-0.5, 0.5, 0.6), None);
+  EXPECT_EQ(distortion.leftOut, 1u);
+  EXPECT_EQ(distortion.isoValues, Values::Constant(1, 0.5));
+}
+
+// Between regular values nothing but distances comes out, whatever the function.
+TEST(LevelSetDistortion, isFiniteBetweenRegularValues)
+{
+  for (const NamedMesh& named : meshesOfAllKinds())
+  {
+    const MeshTopology topology = topologyOf(named.mesh);
+    for (const auto& [name, values] : meshFunctions(named.mesh, 2))
+    {
+      if (values.minCoeff() == values.maxCoeff())
+      {
+        continue;
+      }
+      std::vector<double> critical;
+      for (const CriticalPoint& point :
+        meshCriticalPoints(named.mesh.points, topology, values).points)
+      {
+        critical.push_back(point.value);
+      }
+      std::sort(critical.begin(), critical.end());
+      const Eigen::Map<const Values> criticalValues(
+        critical.data(), static_cast<Eigen::Index>(critical.size()));
+      const Values isoValues = dyadicIsoValues(values, 8);
+      const LevelSetDistortion geodesic =
+        geodesicDistortion(named.mesh.points, topology, values, isoValues, criticalValues);
+      const LevelSetDistortion straight = hausdorffDistortion(
+        named.mesh.points, edgesOf(topology), values, isoValues, criticalValues);
+      EXPECT_EQ(geodesic.isoValues, straight.isoValues) << named.name << ", " << name;
+      EXPECT_EQ(geodesic.distances.size() + static_cast<Eigen::Index>(geodesic.leftOut), 254);
+      EXPECT_GE(geodesic.distances.size() ? geodesic.distances.minCoeff() : 0.0, 0.0);
+    }
+  }
+}
+
+// Neither the number of threads nor what else is measured, and in which blocks, changes a distance.
+TEST(LevelSetDistortion, isThatOfTheLevelSets)
+{
+  const TriangleMesh mesh = gridMesh(Grid::Torus, 120, 60);
+  const MeshTopology topology = topologyOf(mesh);
+  const Simplices edges = edgesOf(topology);
+  const Values values = randomValues(mesh, 5);
+  const Values isoValues = dyadicIsoValues(values, 8); // 1.9 million crossings
+  const LevelSetDistortion one =
+    hausdorffDistortion(mesh.points, edges, values, isoValues, None, { 1, {} });
+  const LevelSetDistortion four =
+    hausdorffDistortion(mesh.points, edges, values, isoValues, None, { 4, {} });
+  EXPECT_EQ(one.distances, four.distances);
+  for (const Eigen::Index i : { 0, 60, 128, 200 })
+  {
+    EXPECT_EQ(
+      hausdorffDistortion(mesh.points, edges, values, isoValues.segment(i, 2), None).distances[0],
+      one.distances[i]);
+  }
+  const Values few = isoValues.segment(100, 20);
+  EXPECT_EQ(geodesicDistortion(mesh.points, topology, values, few, None, { 1, {} }).distances,
+    geodesicDistortion(mesh.points, topology, values, few, None, { 4, {} }).distances);
+}
+
+// What cannot be worked on is refused; whoever wants to stop is heard.
+TEST(LevelSetDistortion, refusesBadInput)
+{
+  const TriangleMesh mesh = subdividedSphere(2);
+  const MeshTopology topology = topologyOf(mesh);
+  const Values height = mesh.points.row(2).transpose();
+  const Values isoValues = Values::LinSpaced(9, -0.8, 0.8);
+  const auto expectRefusal = [&](const Values& values, const Values& levels, const Values& critical)
+  {
+    EXPECT_THROW(
+      hausdorffDistortion(mesh.points, edgesOf(topology), values, levels, critical), InvalidInput);
+    EXPECT_THROW(geodesicDistortion(mesh.points, topology, values, levels, critical), InvalidInput);
+  };
+  expectRefusal(height.head(3), isoValues, None);
+  expectRefusal(Values::Constant(height.size(), std::nan("")), isoValues, None);
+  expectRefusal(height, isoValues.reverse(), None);
+  expectRefusal(height, Eigen::Vector2d(0.1, 0.1), None);
+  expectRefusal(height, Eigen::Vector2d(0.1, std::nan("")), None);
+  expectRefusal(height, isoValues, Eigen::Vector2d(0.2, 0.1));
+  const Execution stopped{ 1, [](double) { return false; } };
+  EXPECT_THROW(
+    hausdorffDistortion(mesh.points, edgesOf(topology), height, isoValues, None, stopped), Aborted);
+  EXPECT_THROW(
+    geodesicDistortion(mesh.points, topology, height, isoValues, None, stopped), Aborted);
+  EXPECT_EQ(geodesicDistortion(mesh.points, topology, height, None, None).distances.size(), 0);
+}
+
+} // namespace
+} // namespace SurfaceScalars::Truth
