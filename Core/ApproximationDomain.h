@@ -1,6 +1,7 @@
 #pragma once
 
 #include "MeshCriticalPoints.h"
+#include "Simplices.h"
 
 #include <functional>
 #include <vector>
@@ -8,15 +9,12 @@
 namespace SurfaceScalars
 {
 
-/// Corners of triangles (3 rows) or tetrahedra (4 rows), one simplex per column.
-using SimplicesRef = Eigen::Ref<const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>>;
-
 /// Where a function is given that is to be approximated: a surface or a volume. What it is made of
 /// must outlive it.
 struct ApproximationDomain
 {
   const Points& vertices; ///< 3 x n
-  SimplicesRef simplices;
+  SimplicesRef simplices; ///< triangles or tetrahedra
   /// Of values at the vertices, ties by index, with their persistence and pairs.
   std::function<MeshCriticalPoints(const ValuesRef& values, const Execution& execution)>
     criticalPoints;

@@ -21,6 +21,12 @@ struct PlacedValues
   Values values;
 };
 
+struct ChosenCenters
+{
+  CenterSet centers;
+  PlacedValues further; ///< for least squares: three for each center that is not of a star
+};
+
 /**
  * A sum of radial functions and a linear polynomial through values at centers that become more and
  * more, or near values at more places than it has centers.

@@ -67,20 +67,24 @@ FarthestPoints farthestPoints(const PointsRef& candidates, const PointsRef& ther
   return result;
 }
 
-std::vector<Index> evenSubset(
-  const PointsRef& points, std::size_t count, const Execution& execution)
+std::vector<Index> evenPart(const std::vector<Index>& items, std::size_t count)
 {
-  const std::vector<Index> order = mortonOrder(points, execution);
-  if (order.size() <= count)
+  if (items.size() <= count)
   {
-    return order;
+    return items;
   }
   std::vector<Index> result(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    result[i] = order[siteOf(i, count, order.size())];
+    result[i] = items[siteOf(i, count, items.size())];
   }
   return result;
+}
+
+std::vector<Index> evenSubset(
+  const PointsRef& points, std::size_t count, const Execution& execution)
+{
+  return evenPart(mortonOrder(points, execution), count);
 }
 
 std::vector<Index> distinctPlaces(

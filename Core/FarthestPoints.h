@@ -24,6 +24,9 @@ struct FarthestPoints
 FarthestPoints farthestPoints(const PointsRef& candidates, const PointsRef& there,
   std::size_t count, const Execution& execution);
 
+/// At most `count` of the items, at even steps.
+std::vector<Index> evenPart(const std::vector<Index>& items, std::size_t count);
+
 /// Indices of at most `count` points, spread over all as evenly as these are, in the order of a
 /// Morton curve.
 std::vector<Index> evenSubset(

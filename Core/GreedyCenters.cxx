@@ -1,6 +1,7 @@
 #include "GreedyCenters.h"
 
 #include "FarthestPoints.h"
+#include "MortonOrder.h"
 #include "PointTree.h"
 
 #include <algorithm>
@@ -15,13 +16,17 @@ namespace
 
 constexpr double CoverShare = 1.0 / 3.0;       // of the centers that are not of stars
 constexpr std::size_t CandidatesPerCover = 20; // for each center of the cover
-constexpr std::size_t MostProbes = 100000;     // vertices that all but the last rounds look at
+constexpr std::size_t ProbesPerCenter = 16;    // vertices that all but the last rounds look at
+constexpr std::size_t MostCandidates = 100000; // of the last rounds: those missed most
 constexpr double LastShare = 0.05;             // of the centers, chosen among all vertices
 constexpr double Growth = 0.1;                 // of a round
+constexpr double LateGrowth = 0.2; // the same of many centers, as their system takes long
+constexpr std::size_t Many = 2000;
 constexpr std::size_t FewestAdded = 8;
 constexpr double Separation = 1.1;     // of those of a round, in spacings of centers
 constexpr double SmallestShare = 0.01; // of that, from those before
 constexpr double Rounding = 1e-14;     // relative to the largest value
+constexpr std::size_t FurtherPerCenter = 3;
 
 /// Vertices, the most wanted first, of which some are chosen.
 class SpreadCandidates
@@ -147,9 +152,10 @@ std::size_t GreedySelection::roundSize() const
 {
   const std::size_t left = this->count_ - this->chosen_.size();
   const auto last = static_cast<std::size_t>(LastShare * static_cast<double>(this->count_));
-  const auto growth = std::max(
-    FewestAdded, static_cast<std::size_t>(Growth * static_cast<double>(this->chosen_.size())));
-  return left <= last + FewestAdded ? left : std::min(growth, left - last);
+  const double growth = this->chosen_.size() < Many ? Growth : LateGrowth;
+  const auto added = std::max(
+    FewestAdded, static_cast<std::size_t>(growth * static_cast<double>(this->chosen_.size())));
+  return left <= last + FewestAdded ? left : std::min(added, left - last);
 }
 
 /// Adds at most so many of the places, where f is missed most. @returns how many
@@ -160,9 +166,9 @@ std::size_t GreedySelection::add(
   std::iota(order.begin(), order.end(), Index(0));
   const auto missesMore = [&](Index a, Index b)
   { return misses[a] != misses[b] ? misses[a] > misses[b] : a < b; };
-  if (order.size() > MostProbes)
+  if (order.size() > MostCandidates)
   {
-    const auto end = order.begin() + static_cast<std::ptrdiff_t>(MostProbes);
+    const auto end = order.begin() + static_cast<std::ptrdiff_t>(MostCandidates);
     std::nth_element(order.begin(), end, order.end(), missesMore);
     order.erase(end, order.end());
   }
@@ -186,17 +192,15 @@ void GreedySelection::refine(CenterSum& sum, const Execution& execution)
   {
     return; // every place is a center
   }
-  std::vector<Index> all(static_cast<std::size_t>(this->values_.size()));
-  std::iota(all.begin(), all.end(), Index(0));
-  const std::vector<Index> probes =
-    evenSubset(this->vertices_, MostProbes, execution.part(0.0, 0.02));
-  bool isOfAll = probes.size() == all.size();
+  const std::vector<Index> order = mortonOrder(this->vertices_, execution.part(0.0, 0.02));
+  bool isOfAll = false;
   const double rounding = Rounding * this->values_.lpNorm<Eigen::Infinity>();
   while (this->chosen_.size() < this->count_)
   {
     const std::size_t wanted = this->roundSize();
     isOfAll = isOfAll || this->chosen_.size() + wanted == this->count_;
-    const std::vector<Index>& places = isOfAll ? all : probes;
+    const std::vector<Index> places =
+      isOfAll ? order : evenPart(order, ProbesPerCenter * this->chosen_.size());
     const Execution round =
       execution.part(0.02 + 0.98 * this->done(), 0.02 + 0.98 * this->done(wanted));
     sum.interpolate(this->centers(), round.part(0.0, 0.5));
@@ -213,14 +217,16 @@ void GreedySelection::refine(CenterSum& sum, const Execution& execution)
 
 } // namespace
 
-CenterSet greedyCenters(const Points& vertices, const ValuesRef& values,
+ChosenCenters greedyCenters(const Points& vertices, const ValuesRef& values,
   const std::vector<Index>& stars, std::size_t count, int dimension, CenterSum& sum,
   const Execution& execution)
 {
   GreedySelection selection(vertices, values, stars, count, dimension);
   selection.cover(execution.part(0.0, 0.1));
   selection.refine(sum, execution.part(0.1, 1.0));
-  return selection.centers();
+  const std::vector<Index> further =
+    evenSubset(vertices, FurtherPerCenter * (count - stars.size()), execution.part(1.0, 1.0));
+  return { selection.centers(), { columnsOf(vertices, further), entriesOf(values, further) } };
 }
 
 } // namespace SurfaceScalars

@@ -13,9 +13,9 @@ namespace SurfaceScalars
  *
  * @param stars vertices at distinct places @param count of all centers; fewer are chosen where the
  * sum is f to rounding, or there are no other places
- * @param sum is left with one round less
+ * @param sum is used for it
  */
-CenterSet greedyCenters(const Points& vertices, const ValuesRef& values,
+ChosenCenters greedyCenters(const Points& vertices, const ValuesRef& values,
   const std::vector<Index>& stars, std::size_t count, int dimension, CenterSum& sum,
   const Execution& execution);
 

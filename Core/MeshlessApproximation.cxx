@@ -5,6 +5,7 @@
 #include "FieldChecks.h"
 #include "GlobalSystem.h"
 #include "GreedyCenters.h"
+#include "LevelSetCenters.h"
 #include "NumberText.h"
 #include "Require.h"
 
@@ -18,7 +19,6 @@ namespace
 {
 
 constexpr double FewestFree = 4;           // centers beside the stars
-constexpr Eigen::Index FurtherPlaces = 3;  // of least squares, per center beside the stars
 constexpr Eigen::Index CentersPerStar = 4; // from which on accuracy is promised
 
 FieldParameters fieldParametersOf(const ApproximationParameters& parameters)
@@ -90,6 +90,28 @@ std::size_t centerCount(MeshlessApproximation& result, const std::vector<Index>&
   return std::min(static_cast<std::size_t>(result.askedCount), std::size_t(MostDenseCenters));
 }
 
+/// Through the values at stars, and through or near the others.
+CenterSum fittedSum(const ApproximationDomain& domain, const ValuesRef& values,
+  const std::vector<Index>& stars, std::size_t count, const ApproximationParameters& parameters,
+  const Execution& execution)
+{
+  const auto dimension = static_cast<int>(domain.simplices.rows()) - 1;
+  CenterSum sum(fieldParametersOf(parameters), dimension, values.minCoeff(), values.maxCoeff());
+  const ChosenCenters chosen = parameters.centerSelection == CenterSelection::Greedy
+    ? greedyCenters(domain.vertices, values, stars, count, dimension, sum, execution.part(0.0, 0.6))
+    : levelSetCenters(
+        domain, values, stars, count, parameters.coverageTolerance, execution.part(0.0, 0.6));
+  if (parameters.levelSetConstraints == LevelSetConstraints::LeastSquares)
+  {
+    sum.approximate(chosen.centers, chosen.further, execution.part(0.6, 1.0));
+  }
+  else
+  {
+    sum.interpolate(chosen.centers, execution.part(0.6, 1.0));
+  }
+  return sum;
+}
+
 /// What of f is critical in u, too, and what else is.
 void compare(
   const ApproximationDomain& domain, MeshlessApproximation& result, const Execution& execution)
@@ -129,23 +151,8 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
   const std::vector<Index> stars = starsOf(domain, result.persistent, execution.part(0.1, 0.1));
   const std::size_t count = centerCount(result, stars, values.size(), parameters.sampleFraction);
 
-  const auto dimension = static_cast<int>(domain.simplices.rows()) - 1;
-  CenterSum sum(fieldParametersOf(parameters), dimension, values.minCoeff(), values.maxCoeff());
-  const CenterSet centers =
-    greedyCenters(domain.vertices, values, stars, count, dimension, sum, execution.part(0.1, 0.6));
-  if (parameters.levelSetConstraints == LevelSetConstraints::LeastSquares)
-  {
-    const std::vector<Index> further = evenSubset(domain.vertices,
-      static_cast<std::size_t>(FurtherPlaces * (centers.places.cols() - centers.starCount)),
-      execution.part(0.6, 0.6));
-    sum.approximate(centers, { columnsOf(domain.vertices, further), entriesOf(values, further) },
-      execution.part(0.6, 0.8));
-  }
-  else
-  {
-    sum.interpolate(centers, execution.part(0.6, 0.8));
-  }
-
+  const CenterSum sum =
+    fittedSum(domain, values, stars, count, parameters, execution.part(0.1, 0.8));
   result.model = sum.model();
   result.condition = sum.condition();
   result.values = sum.at(domain.vertices, execution.part(0.8, 0.95));

@@ -100,8 +100,7 @@ void RadialKernel::apply(Eigen::Ref<Eigen::ArrayXd> squaredRadii) const
       t = t.sqrt();
       return;
     case KernelType::Cubic:
-      t *= squaredInverse;
-      t *= t.sqrt();
+      t *= (squaredInverse * inverse) * t.sqrt();
       return;
     case KernelType::ThinPlate:
       t *= squaredInverse;
