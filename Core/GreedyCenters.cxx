@@ -6,36 +6,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace SurfaceScalars
 {
 namespace
 {
 
-constexpr double CoverShare = 1.0 / 3.0;       // of the centers that are not of stars
-constexpr std::size_t CandidatesPerCover = 20; // for each center of the cover
-constexpr std::size_t ProbesPerCenter = 16;    // vertices that all but the last rounds look at
-constexpr std::size_t MostCandidates = 100000; // of the last rounds: those missed most
-constexpr double LastShare = 0.05;             // of the centers, chosen among all vertices
-constexpr double Growth = 0.1;                 // of a round
-constexpr double LateGrowth = 0.2; // the same of many centers, as their system takes long
-constexpr std::size_t Many = 2000;
+constexpr double CoverShare = 1.0 / 3.0;    // of the centers that are not of stars
+constexpr std::size_t PlacesPerCover = 20;  // among which they are found
+constexpr std::size_t PlacesPerCenter = 16; // that rounds look at
+constexpr std::size_t PlacesInTheEnd = 32;  // those missed most
+constexpr std::size_t FurtherPerCenter = 3;
+constexpr double Growth = 0.1; // of a round
 constexpr std::size_t FewestAdded = 8;
 constexpr double Separation = 1.1;     // of those of a round, in spacings of centers
 constexpr double SmallestShare = 0.01; // of that, from those before
 constexpr double Rounding = 1e-14;     // relative to the largest value
-constexpr std::size_t FurtherPerCenter = 3;
+
+/// Rounds cost the cube of the centers: many centers have fewer and larger ones.
+constexpr std::size_t Many = 2000;
+constexpr double GrowthOfMany = 0.2;
+constexpr double LastGrowth = 0.02; // of the last rounds, for which all vertices compete
+constexpr std::size_t LastRounds = 10;
+constexpr std::size_t LastRoundsOfMany = 2;
 
 /// Vertices, the most wanted first, of which some are chosen.
 class SpreadCandidates
 {
 public:
-  SpreadCandidates(const Points& vertices, std::vector<Index> candidates)
+  SpreadCandidates(const Points& vertices, const std::vector<Index>& candidates)
     : vertices_(vertices)
-    , candidates_(std::move(candidates))
-    , places_(columnsOf(vertices, this->candidates_))
+    , candidates_(candidates)
+    , places_(columnsOf(vertices, candidates))
     , tree_(this->places_)
   {
   }
@@ -72,7 +74,7 @@ private:
   }
 
   const Points& vertices_;
-  std::vector<Index> candidates_;
+  const std::vector<Index>& candidates_;
   Points places_;
   PointTree tree_;
 };
@@ -100,10 +102,12 @@ public:
   }
 
 private:
-  double done(std::size_t more = 0) const;
+  Execution part(const Execution& execution, std::size_t more) const;
   double spacing() const;
-  std::size_t roundSize() const;
-  std::size_t add(const std::vector<Index>& places, const Values& misses, std::size_t most);
+  bool isMany() const { return this->count_ > Many; }
+  std::vector<Index> mostMissed(const std::vector<Index>& places, std::size_t most, CenterSum& sum,
+    const Execution& execution) const;
+  bool add(const std::vector<Index>& candidates, std::size_t count);
 
   const Points& vertices_;
   const ValuesRef& values_;
@@ -120,7 +124,7 @@ void GreedySelection::cover(const Execution& execution)
   const auto rest = static_cast<double>(this->count_ - this->starCount_);
   const auto most = static_cast<std::size_t>(std::ceil(CoverShare * rest));
   const std::vector<Index> candidates =
-    evenSubset(this->vertices_, CandidatesPerCover * most, execution.part(0.0, 0.2));
+    evenSubset(this->vertices_, PlacesPerCover * most, execution.part(0.0, 0.2));
   const FarthestPoints cover = farthestPoints(columnsOf(this->vertices_, candidates),
     columnsOf(this->vertices_, this->chosen_), most, execution.part(0.2, 1.0));
   for (const Index candidate : cover.chosen)
@@ -131,12 +135,12 @@ void GreedySelection::cover(const Execution& execution)
   this->coverRadius_ = cover.radius;
 }
 
-/// Of the work, which grows with the cube of the centers.
-double GreedySelection::done(std::size_t more) const
+/// Of the work, which grows with the cube of the centers, a round that adds as many.
+Execution GreedySelection::part(const Execution& execution, std::size_t more) const
 {
-  const double share =
-    static_cast<double>(this->chosen_.size() + more) / static_cast<double>(this->count_);
-  return std::min(1.0, share * share * share);
+  const auto done = [&](std::size_t size)
+  { return std::pow(static_cast<double>(size) / static_cast<double>(this->count_), 3.0); };
+  return execution.part(done(this->chosen_.size()), done(this->chosen_.size() + more));
 }
 
 /// Between centers that are not of stars: what the radius of the cover becomes as they grow in
@@ -148,42 +152,43 @@ double GreedySelection::spacing() const
   return this->coverRadius_ * std::pow(then / now, 1.0 / this->dimension_);
 }
 
-std::size_t GreedySelection::roundSize() const
+/// Of these places those where the sum through the centers misses f, at most so many, by how much.
+std::vector<Index> GreedySelection::mostMissed(const std::vector<Index>& places, std::size_t most,
+  CenterSum& sum, const Execution& execution) const
 {
-  const std::size_t left = this->count_ - this->chosen_.size();
-  const auto last = static_cast<std::size_t>(LastShare * static_cast<double>(this->count_));
-  const double growth = this->chosen_.size() < Many ? Growth : LateGrowth;
-  const auto added = std::max(
-    FewestAdded, static_cast<std::size_t>(growth * static_cast<double>(this->chosen_.size())));
-  return left <= last + FewestAdded ? left : std::min(added, left - last);
-}
-
-/// Adds at most so many of the places, where f is missed most. @returns how many
-std::size_t GreedySelection::add(
-  const std::vector<Index>& places, const Values& misses, std::size_t most)
-{
-  std::vector<Index> order(places.size());
-  std::iota(order.begin(), order.end(), Index(0));
+  sum.interpolate(this->centers(), execution.part(0.0, 0.5));
+  const Values misses = (sum.at(columnsOf(this->vertices_, places), execution.part(0.5, 1.0)) -
+    entriesOf(this->values_, places))
+                          .cwiseAbs();
+  const double rounding = Rounding * this->values_.lpNorm<Eigen::Infinity>();
+  std::vector<Index> order;
+  for (Index i = 0; i < places.size(); ++i)
+  {
+    if (misses[i] > rounding)
+    {
+      order.push_back(i);
+    }
+  }
   const auto missesMore = [&](Index a, Index b)
   { return misses[a] != misses[b] ? misses[a] > misses[b] : a < b; };
-  if (order.size() > MostCandidates)
-  {
-    const auto end = order.begin() + static_cast<std::ptrdiff_t>(MostCandidates);
-    std::nth_element(order.begin(), end, order.end(), missesMore);
-    order.erase(end, order.end());
-  }
-  std::sort(order.begin(), order.end(), missesMore);
-  std::transform(
-    order.begin(), order.end(), order.begin(), [&](Index place) { return places[place]; });
+  const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(most, order.size()));
+  std::partial_sort(order.begin(), end, order.end(), missesMore);
+  order.erase(end, order.end());
+  std::transform(order.begin(), order.end(), order.begin(), [&](Index i) { return places[i]; });
+  return order;
+}
 
+/// The first of the candidates, apart from each other. @returns whether there was one
+bool GreedySelection::add(const std::vector<Index>& candidates, std::size_t count)
+{
   const std::size_t before = this->chosen_.size();
   const double spacing = Separation * this->spacing();
-  const SpreadCandidates candidates(this->vertices_, std::move(order));
+  const SpreadCandidates spread(this->vertices_, candidates);
   for (double apart = spacing; apart > SmallestShare * spacing; apart *= 0.5)
   {
-    candidates.choose(this->chosen_, before, apart, SmallestShare * spacing, before + most);
+    spread.choose(this->chosen_, before, apart, SmallestShare * spacing, before + count);
   }
-  return this->chosen_.size() - before;
+  return this->chosen_.size() > before;
 }
 
 void GreedySelection::refine(CenterSum& sum, const Execution& execution)
@@ -192,26 +197,29 @@ void GreedySelection::refine(CenterSum& sum, const Execution& execution)
   {
     return; // every place is a center
   }
-  const std::vector<Index> order = mortonOrder(this->vertices_, execution.part(0.0, 0.02));
-  bool isOfAll = false;
-  const double rounding = Rounding * this->values_.lpNorm<Eigen::Infinity>();
-  while (this->chosen_.size() < this->count_)
+  const auto shareOf = [](double share, std::size_t all)
+  { return std::max(FewestAdded, static_cast<std::size_t>(share * static_cast<double>(all))); };
+  const std::vector<Index> order = mortonOrder(this->vertices_, execution.part(0.0, 0.0));
+  const std::size_t lastGrowth = shareOf(LastGrowth, this->count_);
+  const std::size_t last = lastGrowth * (this->isMany() ? LastRoundsOfMany : LastRounds);
+  bool isMissed = true;
+  while (isMissed && this->chosen_.size() + last < this->count_)
   {
-    const std::size_t wanted = this->roundSize();
-    isOfAll = isOfAll || this->chosen_.size() + wanted == this->count_;
-    const std::vector<Index> places =
-      isOfAll ? order : evenPart(order, ProbesPerCenter * this->chosen_.size());
-    const Execution round =
-      execution.part(0.02 + 0.98 * this->done(), 0.02 + 0.98 * this->done(wanted));
-    sum.interpolate(this->centers(), round.part(0.0, 0.5));
-    const Values misses = (sum.at(columnsOf(this->vertices_, places), round.part(0.5, 1.0)) -
-      entriesOf(this->values_, places))
-                            .cwiseAbs();
-    const bool isExact = misses.maxCoeff() <= rounding;
-    if ((isExact || this->add(places, misses, wanted) == 0) && std::exchange(isOfAll, true))
-    {
-      return;
-    }
+    const std::size_t size = this->chosen_.size();
+    const std::size_t most = shareOf(this->isMany() ? GrowthOfMany : Growth, size);
+    const std::size_t count = std::min(most, this->count_ - last - size);
+    const std::vector<Index> places = evenPart(order, PlacesPerCenter * size);
+    isMissed =
+      this->add(this->mostMissed(places, places.size(), sum, this->part(execution, count)), count);
+  }
+  std::vector<Index> places = order;
+  isMissed = true;
+  while (isMissed && this->chosen_.size() < this->count_)
+  {
+    const std::size_t count = std::min(lastGrowth, this->count_ - this->chosen_.size());
+    places =
+      this->mostMissed(places, PlacesInTheEnd * this->count_, sum, this->part(execution, count));
+    isMissed = this->add(places, count);
   }
 }
 
