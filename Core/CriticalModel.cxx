@@ -1,6 +1,7 @@
 #include "CriticalModel.h"
 
 #include "SampleSupport.h"
+#include "SurfaceRestriction.h"
 
 #include <Eigen/LU>
 
@@ -48,21 +49,13 @@ LocalFit::Jet CriticalModel::jet(const Vector2d& uv) const
   {
     return fit.value(uv);
   }
-  const LocalFit::Jet height = fit.height(uv);
   const FieldJet inSpace =
     this->field_->jet(fit.lift(uv) + this->scale_.origin, Derivatives::Hessian);
-  const Eigen::Matrix<double, 3, 2> tangents =
-    fit.frame().leftCols<2>() + fit.frame().col(2) * height.gradient.transpose();
-  LocalFit::Jet result;
-  result.value = inSpace.value;
-  result.gradient = tangents.transpose() * inSpace.gradient;
+  LocalFit::Jet result = restrictedTo(fit, uv, inSpace);
   if (!this->scale_.field.hasHessian)
   {
     result.hessian = fit.value(uv).hessian;
-    return result;
   }
-  result.hessian = tangents.transpose() * inSpace.hessian * tangents +
-    inSpace.gradient.dot(fit.frame().col(2)) * height.hessian;
   return result;
 }
 

@@ -12,13 +12,8 @@ namespace SurfaceScalars
 
 /**
  * f~ on the fitted surface around a place, over its tangent plane: the polynomial of f, or an F in
- * space restricted to the surface. Of its derivatives along the surface x(u, v) with unit normal n,
- * height z over the tangent plane and Hessian H of F (design paper, (5)),
- *
- *   f_i = <grad F, x_i>,  f_ij = x_i^T H x_j + <grad F, n> z_ij,
- *
- * the second one is where the curvature of the surface comes in. (Of averages, whose second
- * derivatives are of no use, the Hessian is that of the polynomial of f.)
+ * space restricted to the surface, restrictedTo() it. (Of averages, whose second derivatives are of
+ * no use, the Hessian is that of the polynomial of f.)
  *
  * Places are relative to the cloud of the scale, which must outlive this. Not for several threads
  * at once.

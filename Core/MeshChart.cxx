@@ -1,0 +1,155 @@
+#include "MeshChart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr int LowestDegree = 2;
+constexpr double VerticesPerTerm[] = { 1.6, 3.2 };
+
+double cross(const Vector2d& a, const Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+} // namespace
+
+MeshChart::MeshChart(const PointsRef& vertices, const MeshTopology& mesh)
+  : vertices_(vertices)
+  , mesh_(mesh)
+{
+}
+
+/// At least `count` vertices, if the component has them, and the ring around these.
+void MeshChart::gather(Index vertex, std::size_t count)
+{
+  this->gathered_.assign(1, vertex);
+  std::vector<Index> known{ vertex }; // sorted
+  std::size_t ringBegin = 0;
+  for (bool isLast = false; ringBegin < this->gathered_.size();)
+  {
+    const std::size_t ringEnd = this->gathered_.size();
+    for (; ringBegin < ringEnd; ++ringBegin)
+    {
+      for (const Index neighbor : this->mesh_.link(this->gathered_[ringBegin]))
+      {
+        const auto at = std::lower_bound(known.begin(), known.end(), neighbor);
+        if (at == known.end() || *at != neighbor)
+        {
+          known.insert(at, neighbor);
+          this->gathered_.push_back(neighbor);
+        }
+      }
+    }
+    if (isLast)
+    {
+      return;
+    }
+    isLast = this->gathered_.size() >= count;
+  }
+}
+
+bool MeshChart::fitTo(Index vertex, std::size_t count, int degree, LocalFit& fit)
+{
+  this->gather(vertex, count);
+  const auto all = static_cast<Eigen::Index>(this->gathered_.size());
+  this->samples_.points = this->vertices_(Eigen::all, this->gathered_);
+  this->samples_.values.setZero(all);
+  this->samples_.weights =
+    (this->samples_.points.colwise() - this->vertices_.col(vertex)).colwise().squaredNorm();
+  std::vector<double> squares(this->samples_.weights.begin(), this->samples_.weights.end());
+  const std::size_t last = std::min(count, squares.size() - 1);
+  std::nth_element(
+    squares.begin(), squares.begin() + static_cast<std::ptrdiff_t>(last), squares.end());
+  const double radius = std::sqrt(squares[last]);
+  this->samples_.weights =
+    (1.0 - this->samples_.weights.array() / (radius * radius)).max(0.0).square();
+  return fit.compute(this->vertices_.col(vertex), this->samples_, radius, degree);
+}
+
+bool MeshChart::center(Index vertex)
+{
+  double least = std::numeric_limits<double>::infinity();
+  LocalFit fit;
+  for (int degree = LocalFit::MaximumDegree; degree >= LowestDegree; --degree)
+  {
+    for (const double share : VerticesPerTerm)
+    {
+      const double count = share * LocalFit::termCount(degree);
+      if (this->fitTo(vertex, static_cast<std::size_t>(count), degree, fit))
+      {
+        const double error = fit.heightDeviation(this->samples_) / (fit.scale() * std::sqrt(count));
+        if (error < least)
+        {
+          least = error;
+          std::swap(this->fit_, fit);
+        }
+      }
+    }
+  }
+  if (!std::isfinite(least) &&
+    !this->fitTo(vertex, LocalFit::termCount(LowestDegree), 1, this->fit_))
+  {
+    return false;
+  }
+  this->vertex_ = vertex;
+  const VertexRange link = this->mesh_.link(vertex);
+  this->spacing_ = 0.0;
+  for (const Index neighbor : link)
+  {
+    this->spacing_ +=
+      (this->vertices_.col(neighbor) - this->vertices_.col(vertex)).norm() / link.size();
+  }
+  return true;
+}
+
+Index MeshChart::nearestVertex(const Vector3d& place) const
+{
+  Index nearest = this->vertex_;
+  double least = (this->vertices_.col(nearest) - place).squaredNorm();
+  for (Index before = nearest;; before = nearest)
+  {
+    for (const Index neighbor : this->mesh_.link(before))
+    {
+      const double square = (this->vertices_.col(neighbor) - place).squaredNorm();
+      if (square < least)
+      {
+        least = square;
+        nearest = neighbor;
+      }
+    }
+    if (nearest == before)
+    {
+      return nearest;
+    }
+  }
+}
+
+bool MeshChart::covers(const Vector2d& st) const
+{
+  if (!this->mesh_.isBoundary(this->vertex_))
+  {
+    return true;
+  }
+  // Whether the direction to the place is between those of two neighbors in a row.
+  const VertexRange path = this->mesh_.linkPath(this->vertex_);
+  for (const Index* corner = path.begin(); corner + 1 != path.end(); ++corner)
+  {
+    const Vector2d one = this->fit_.flatten(this->vertices_.col(corner[0]));
+    const Vector2d other = this->fit_.flatten(this->vertices_.col(corner[1]));
+    const double turn = cross(one, other);
+    if (cross(one, st) * turn >= 0.0 && cross(st, other) * turn >= 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace SurfaceScalars

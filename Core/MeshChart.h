@@ -1,0 +1,54 @@
+#pragma once
+
+#include "LocalFit.h"
+#include "MeshTopology.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/**
+ * The smooth surface that a mesh samples, around one of its vertices: a polynomial height over the
+ * tangent plane, fitted to the vertices around with the weights (1 - r^2 / radius^2)^2. It need not
+ * go through them. Of the degrees 2 to 4, each with three times as many vertices as unknowns, the
+ * one that leaves the least deviation per radius: 4 on smooth surfaces, 2 where these bend much
+ * within a few triangles. Vertices are gathered along the edges, so that a thin plate has two
+ * sides; a planar mesh is its own chart.
+ *
+ * Not for several threads at once.
+ */
+class SURFACESCALARSCORE_EXPORT MeshChart
+{
+public:
+  /// @param vertices of the mesh; both must outlive this
+  MeshChart(const PointsRef& vertices, const MeshTopology& mesh);
+
+  /// @returns false where the vertices do not determine a surface
+  bool center(Index vertex);
+
+  // After center() returned true:
+  Index vertex() const { return this->vertex_; }
+  const LocalFit& fit() const { return this->fit_; }
+  double radius() const { return this->fit_.scale(); } ///< of the vertices fitted to
+  double spacing() const { return this->spacing_; }    ///< mean length of the edges at the vertex
+  /// The vertex next to a place, going from neighbor to neighbor.
+  Index nearestVertex(const Vector3d& place) const;
+  /// Whether a place, no vertex being nearer than this, is on the mesh and not beyond its boundary.
+  bool covers(const Vector2d& st) const;
+
+private:
+  void gather(Index vertex, std::size_t count);
+  bool fitTo(Index vertex, std::size_t count, int degree, LocalFit& fit);
+
+  PointsRef vertices_;
+  const MeshTopology& mesh_;
+  Index vertex_ = 0;
+  LocalFit fit_;
+  double spacing_ = 0.0;
+  std::vector<Index> gathered_; ///< ring by ring
+  WeightedSamples samples_;
+};
+
+} // namespace SurfaceScalars

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "Field.h"
+#include "MeshCriticalPoints.h"
+
+#include <vector>
+
+namespace SurfaceScalars
+{
+
+/// A critical point of a function of space restricted to the smooth surface that a mesh samples.
+struct ModelCriticalPoint
+{
+  CriticalPoint
+    point; ///< `input` is the nearest vertex, the residual there, -1 without derivatives
+  std::size_t origin = 0; ///< the critical vertex that it came from
+  bool isRefined = false; ///< else it is that vertex
+  int iterations = 0;     ///< Newton steps
+};
+
+struct ModelCriticalPoints
+{
+  std::vector<ModelCriticalPoint> points; ///< by origin
+  double gradientScale = 0.0;             ///< what residuals are small against
+  std::size_t merged = 0;                 ///< candidates that led where another one does
+  std::size_t vanished = 0;               ///< candidates that u has no critical point for
+};
+
+/// The root mean square, over the area, of the gradient of the function that is linear on the
+/// triangles: value's unit per length; 0 where values are constant but for rounding.
+SURFACESCALARSCORE_EXPORT double gradientScale(
+  const PointsRef& vertices, const Triangles& triangles, const ValuesRef& values);
+
+/**
+ * The critical points of u off the vertices (design paper, sec. 5), from those of its values at the
+ * vertices: on the smooth surface of MeshChart, to a tangential gradient of 1e-10 of
+ * gradientScale() by SurfaceNewton.
+ *
+ * The critical vertices obey Euler's formula; so does what becomes of them. From each one of the
+ * interior a point of its own type is searched for, where that fails also from its neighbors, and
+ * from a saddle of multiplicity m, which u has m simple ones for, from all of these. Of several
+ * that lead to one point the most persistent stands for it. An extremum and a saddle which are a
+ * pair (MeshCriticalPoints::pairs) and neither of which stands for a point are there for the sake
+ * of the triangles only: both vanish, and the sum of the indices stays. What is not explained so,
+ * and critical vertices of the boundary, remain vertices. A pair of critical points of u closer to
+ * each other than the mesh is fine, of which the vertices show nothing, is not searched for.
+ *
+ * Where u is constant, or has no second derivatives, vertices remain.
+ *
+ * @param values of u at the vertices
+ * @param candidates as meshCriticalPoints() finds them for these values; some may be left out
+ * @throws InvalidInput if the numbers of vertices, values and places differ; Aborted
+ */
+SURFACESCALARSCORE_EXPORT ModelCriticalPoints refineOnModel(const PointsRef& vertices,
+  const MeshTopology& mesh, const ValuesRef& values, const Field& u,
+  const MeshCriticalPoints& candidates, const Execution& execution = {});
+
+/// The sum of the indices; of points on the boundary half. Its Euler characteristic, if no
+/// candidate is left out.
+SURFACESCALARSCORE_EXPORT double indexSum(
+  const std::vector<ModelCriticalPoint>& points, const MeshTopology& mesh);
+
+} // namespace SurfaceScalars

@@ -1,0 +1,109 @@
+// Whether critical points of sums of radial functions are found off the vertices of meshes, as
+// tables in Markdown; fails if one is lost, doubled or not as sharp as promised.
+//
+//   surface-scalars-classification-truth [reduced] [surfaces] [guesses]
+//
+// surfaces: meshes of known surfaces, finer and finer; guesses: Table 3 and Figs. 12 and 13 of the
+// design paper.
+
+#include "CriticalScore.h"
+#include "MarkdownReport.h"
+#include "ModelCases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace SurfaceScalars;
+using namespace SurfaceScalars::Truth;
+
+namespace
+{
+
+struct MeshSeries
+{
+  ClosedSurface surface;
+  std::vector<Mesh> meshes; ///< finer and finer
+};
+
+std::vector<MeshSeries> allSeries(bool isReduced)
+{
+  std::vector<MeshSeries> series{ { unitSphere(), {} }, { closedTorus(), {} },
+    { doubleTorus(), {} }, { tripleTorus(), {} } };
+  for (int level = 0; level < (isReduced ? 2 : 4); ++level)
+  {
+    const int factor = 1 << level;
+    series[0].meshes.push_back(sphereMesh(3 + level));
+    series[1].meshes.push_back(torusMesh(40 * factor, true));
+    series[2].meshes.push_back(asMesh(implicitMesh(doubleTorus().implicit, 1.3, 32 * factor)));
+    series[3].meshes.push_back(asMesh(implicitMesh(tripleTorus().implicit, 1.8, 40 * factor)));
+  }
+  return series;
+}
+
+struct KernelChoice
+{
+  KernelType kernel;
+  double width; ///< 0 = automatic
+};
+
+void reportSurfaces(MarkdownReport& report, bool isReduced)
+{
+  for (const MeshSeries& series : allSeries(isReduced))
+  {
+    for (const KernelChoice& choice :
+      { KernelChoice{ KernelType::Cubic, 0.0 }, KernelChoice{ KernelType::Gaussian, 0.5 } })
+    {
+      const Field u = fewCenters(series.surface, 150, choice.kernel, choice.width, 3);
+      const std::vector<CriticalPoint> exact = criticalPoints(series.surface, asFunction(u));
+      report.head(series.surface.name + ", " + nameOf(choice.kernel) +
+          ", 150 centers: " + std::to_string(exact.size()) + " critical points",
+        { "vertices", "candidates", "found", "right", "merged", "vanished", "left at vertices",
+          "index sum", "steps", "gradient / scale", "largest error / edge", "order", "kept" });
+      double lastError = 0.0;
+      double lastEdge = 0.0;
+      for (const Mesh& mesh : series.meshes)
+      {
+        const MeshTopology topology = topologyOf(mesh);
+        const ModelRun run(mesh.vertices, topology, u);
+        const std::vector<CriticalPoint> found = run.refined();
+        const CriticalScore score = scoreCriticalPoints(found, exact, unambiguousRadius(exact));
+        const double edge = meanEdge(mesh.vertices, mesh.triangles);
+        const double error = score.errorMaximum;
+        const bool isKept = score.rightCount == score.exactCount &&
+          score.foundCount == score.exactCount && run.mostSteps() <= 10 &&
+          run.largestResidual() <= 1e-10 && run.sum == series.surface.eulerCharacteristic;
+        report.row({ std::to_string(topology.vertexCount()),
+          std::to_string(run.candidates.points.size()), std::to_string(score.foundCount),
+          ofAll(score.rightCount, score.exactCount), std::to_string(run.result.merged),
+          std::to_string(run.result.vanished),
+          std::to_string(run.result.points.size() - found.size()), number("%g", run.sum),
+          std::to_string(run.mostSteps()), number("%.1e", run.largestResidual()),
+          number("%.1e", error / edge),
+          lastError > 0.0 ? number("%.1f", std::log(lastError / error) / std::log(lastEdge / edge))
+                          : "",
+          report.kept(isKept) });
+        lastError = error;
+        lastEdge = edge;
+      }
+    }
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto has = [&](const char* word)
+  { return std::find(arguments.begin(), arguments.end(), word) != arguments.end(); };
+  const bool isReduced = has("reduced");
+  const bool isAll = arguments.size() == (isReduced ? 1U : 0U);
+  MarkdownReport report;
+  if (isAll || has("surfaces"))
+  {
+    reportSurfaces(report, isReduced);
+  }
+  return report.exitCode();
+}
