@@ -211,6 +211,15 @@ void giveType(vtkInformation* output, const char* type)
   }
 }
 
+void askForAll(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
 void describeAsTarget(vtkInformation* target, vtkInformation* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

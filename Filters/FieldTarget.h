@@ -45,6 +45,10 @@ void acceptTargets(vtkInformation* port);
 /// For RequestDataObject(): gives an output port an empty object of this type unless it has one.
 void giveType(vtkInformation* output, const char* type);
 
+/// For RequestUpdateExtent(), of data with an extent: without a request of its own an input would
+/// get that of the output.
+void askForAll(vtkInformation* input);
+
 /// For RequestInformation(): what is known of the target is true of the output: the extent and
 /// geometry of an image, the time steps.
 void describeAsTarget(vtkInformation* target, vtkInformation* output);

@@ -72,16 +72,6 @@ void makeGrid(vtkRBFExtend& filter, const Points& points, vtkImageData* grid)
   grid->SetSpacing(spacing.data());
 }
 
-/// Of data with an extent: without a request of its own it would get that of the output.
-void askForAll(vtkInformation* input)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (input->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-}
-
 vtkInformation* targetOf(vtkInformationVector** inputs)
 {
   return inputs[1]->GetInformationObject(0); // null if there is none
