@@ -8,6 +8,7 @@
 #include "LevelSetCenters.h"
 #include "NumberText.h"
 #include "Require.h"
+#include "SeparatedStars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,10 +70,18 @@ void findPersistent(const ApproximationDomain& domain, const ValuesRef& values, 
   MeshlessApproximation& result, const Execution& execution)
 {
   MeshCriticalPoints critical = domain.criticalPoints(values, execution);
-  const std::size_t count = critical.points.size();
+  const std::vector<CriticalPoint> all = critical.points;
   const double range = values.maxCoeff() - values.minCoeff();
   removeBelow(critical.points, critical.pairs, threshold * range);
-  result.leftOut = count - critical.points.size();
+  result.leftOut = all.size() - critical.points.size();
+  auto next = all.begin();
+  for (CriticalPoint& point : critical.points)
+  {
+    next = std::find_if(next, all.end(),
+      [&](const CriticalPoint& other)
+      { return other.input == point.input && other.type == point.type; });
+    point.multiplicity = next->multiplicity; // it is the star that u has in common with f
+  }
   result.persistent = std::move(critical.points);
 }
 
@@ -151,18 +160,11 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
   const std::vector<Index> stars = starsOf(domain, result.persistent, execution.part(0.1, 0.1));
   const std::size_t count = centerCount(result, stars, values.size(), parameters.sampleFraction);
 
-  const CenterSum sum =
-    fittedSum(domain, values, stars, count, parameters, execution.part(0.1, 0.8));
+  const CenterSum sum = fittedSum(domain, withSeparatedStars(domain, values, result.persistent),
+    stars, count, parameters, execution.part(0.1, 0.8));
   result.model = sum.model();
   result.condition = sum.condition();
   result.values = sum.at(domain.vertices, execution.part(0.8, 0.95));
-  if (parameters.regularization == 0.0)
-  {
-    for (const Index vertex : stars) // where rounding would part what is equal
-    {
-      result.values[vertex] = values[vertex];
-    }
-  }
   const Values misses = (result.values - values).cwiseAbs();
   result.largestError = misses.maxCoeff();
   result.meanError = misses.mean();
@@ -173,8 +175,7 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
 std::vector<std::string> remarksOn(const MeshlessApproximation& result)
 {
   std::vector<std::string> remarks;
-  const Eigen::Index count = result.model.centers.cols();
-  const std::string text = std::to_string(count) + " centers";
+  const Eigen::Index count = std::min<Eigen::Index>(result.askedCount, MostDenseCenters);
   if (result.askedCount > MostDenseCenters)
   {
     remarks.push_back("SampleFraction asks for " + std::to_string(result.askedCount) +
@@ -183,8 +184,8 @@ std::vector<std::string> remarksOn(const MeshlessApproximation& result)
   }
   if (count < CentersPerStar * result.starCount)
   {
-    remarks.push_back(std::to_string(result.starCount) + " of " + text +
-      " belong to the stars of " + std::to_string(result.persistent.size()) +
+    remarks.push_back(std::to_string(result.starCount) + " of " + std::to_string(count) +
+      " centers belong to the stars of " + std::to_string(result.persistent.size()) +
       " critical points, which leaves few for the rest: raise PersistenceThreshold or "
       "SampleFraction.");
   }
@@ -200,7 +201,7 @@ std::vector<std::string> remarksOn(const MeshlessApproximation& result)
     remarks.push_back(std::to_string(result.lost.size()) + " of " +
       std::to_string(result.persistent.size()) + " critical points are lost, the first the " +
       nameOf(first.type) + " at vertex " + std::to_string(first.input) +
-      ": values there differ by no more than rounding errors, or are regularized.");
+      ": the values there are not met.");
   }
   return remarks;
 }

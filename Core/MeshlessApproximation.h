@@ -40,8 +40,7 @@ struct ApproximationParameters
 struct MeshlessApproximation
 {
   FieldModel model; ///< u: scheme GlobalRBF
-  Values values;    ///< u at the vertices, as Field(model) evaluates it but for rounding: where
-                    ///< stars are interpolated, f's to the bit, which keeps ties there
+  Values values;    ///< u at the vertices, as Field(model) evaluates it but for rounding
 
   std::vector<CriticalPoint> persistent; ///< of f, interpolated with their links
   std::vector<std::size_t> lost;         ///< of these: not so in u, ascending
@@ -62,8 +61,9 @@ struct MeshlessApproximation
  * paper, sec. 4): u = sum a_i phi(|p - c_i|) + b + c . p.
  *
  * Persistent critical points and their links are centers and interpolated, so that each of them is
- * critical in u, too, at the same vertex, with the same type and multiplicity. sampleFraction * n
- * centers more, at least 4, follow f between them:
+ * critical in u, too, at the same vertex, with the same type and multiplicity. (Where f is level
+ * there, values are drawn apart by 1e-7 of its range.) sampleFraction * n centers more, at least 4,
+ * follow f between them:
  *
  * - Greedy: a sparse cover, then in rounds the vertices where u misses f most, apart from each
  *   other. Fewer are chosen where u is f to rounding.

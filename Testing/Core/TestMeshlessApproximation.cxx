@@ -113,7 +113,8 @@ TEST(MeshlessApproximation, keepsPersistentCriticalPoints)
         ApproximationParameters parameters = withFraction(0.1);
         parameters.centerSelection = selection;
         const MeshlessApproximation result = approximated(mesh, values, parameters);
-        EXPECT_LE(largestMissAtStars(mesh, values, result), 1e-9 * rangeOf(values));
+        // More than rounding where values are level and drawn apart
+        EXPECT_LE(largestMissAtStars(mesh, values, result), 2e-7 * rangeOf(values));
         EXPECT_TRUE(result.lost.empty());
         EXPECT_EQ(keptByWalking(mesh, result), result.persistent.size());
         most = std::max(most, result.persistent.size());
@@ -353,6 +354,26 @@ TEST(MeshlessApproximation, takesVolumes)
     EXPECT_EQ(result.model.centers.cols(), 3 + 266);
     EXPECT_NEAR(result.values[inside], values[inside], 1e-11);
     EXPECT_LT(result.largestError, 0.05 * rangeOf(values));
+  }
+}
+
+// Of whole numbers most stars have ties, which the order of the vertices breaks: the model itself
+// has these critical points, evaluated by itself.
+TEST(MeshlessApproximation, modelKeepsCriticalPointsWhereValuesAreLevel)
+{
+  const TriangleMesh mesh = octahedralSphere(20);
+  const Values values = (6.0 * waves(mesh.points, 6.0)).array().round();
+  ApproximationParameters parameters = withFraction(0.1);
+  parameters.persistenceThreshold = 0.1;
+  const MeshlessApproximation result = approximated(mesh, values, parameters);
+  EXPECT_TRUE(result.lost.empty());
+  const Values again = Field(result.model).evaluate(mesh.points, {}).values;
+  const VertexTypes types = classifyVertices(topologyOf(mesh), again);
+  ASSERT_GE(result.persistent.size(), 4U);
+  for (const CriticalPoint& point : result.persistent)
+  {
+    EXPECT_EQ(types.types[point.input], point.type);
+    EXPECT_EQ(static_cast<int>(types.multiplicities[point.input]), point.multiplicity);
   }
 }
 

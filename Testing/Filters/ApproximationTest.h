@@ -73,6 +73,18 @@ inline vtkSmartPointer<vtkUnstructuredGrid> tetrahedraOf(vtkImageData* image)
   return grid;
 }
 
+/// A function on the torus that is no polynomial.
+inline Values torusHills()
+{
+  Values values = torusHeight();
+  const Points points = TorusGrid::points();
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    values(i) += 0.2 * std::sin(3.0 * points(0, i) + 1.0) * std::cos(2.0 * points(1, i));
+  }
+  return values;
+}
+
 inline vtkSmartPointer<vtkMeshlessApproximation> approximation(vtkDataObject* input)
 {
   auto filter = vtkSmartPointer<vtkMeshlessApproximation>::New();

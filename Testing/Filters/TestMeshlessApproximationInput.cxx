@@ -22,7 +22,7 @@ vtkSmartPointer<vtkPolyData> twoTori()
   Points places(3, 2 * one.cols());
   places << one, one.colwise() + Vector3d(5.0, 0.0, 0.0);
   Values values(places.cols());
-  values << torusHeight(), 2.0 * torusHeight();
+  values << torusHills(), 2.0 * torusHills();
   const auto mesh = makeCloud(places, values);
   const auto cells =
     gridTriangles({ TorusGrid::Columns, TorusGrid::Rows }, TorusGrid::Columns, TorusGrid::Rows);
@@ -50,7 +50,7 @@ TEST(MeshlessApproximationInput, constants)
 // Points without a value are left out and counted; there u is NaN.
 TEST(MeshlessApproximationInput, missingValues)
 {
-  const auto mesh = torusMesh(torusHeight());
+  const auto mesh = torusMesh(torusHills());
   mesh->GetPointData()->GetScalars()->SetComponent(100, 0, NaN);
   const auto image = slopeImage(10, 10, 10);
   image->GetPointData()->GetScalars()->SetComponent(100, 0, NaN);
@@ -71,7 +71,7 @@ TEST(MeshlessApproximationInput, missingValues)
 // solved, and the condition is in a warning.
 TEST(MeshlessApproximationInput, illConditionedKernels)
 {
-  const auto filter = approximation(torusMesh(torusHeight()));
+  const auto filter = approximation(torusMesh(torusHills()));
   filter->SetKernel(vtkMeshlessApproximation::GAUSSIAN);
   filter->SetKernelWidth(20.0);
   expectRefusal(filter, { "condition" });
@@ -101,7 +101,7 @@ TEST(MeshlessApproximationInput, componentsAndBoundary)
 // Of noise nearly all points are in stars: a warning says so, and a threshold helps.
 TEST(MeshlessApproximationInput, noise)
 {
-  const auto mesh = torusMesh(torusHeight() + 0.5 * noise(1152));
+  const auto mesh = torusMesh(torusHills() + 0.5 * noise(1152));
   const auto filter = approximation(mesh);
   expectWarning(update(filter), { "PersistenceThreshold" });
   const double stars = figure(filter, "StarCount");
@@ -123,11 +123,31 @@ TEST(MeshlessApproximationInput, noise)
   EXPECT_LT(figure(volume, "StarCount"), 0.5 * starsInVolume);
 }
 
+// Whole numbers, and functions that a grid mirrors, are level around critical points: these are
+// kept all the same.
+TEST(MeshlessApproximationInput, levelStars)
+{
+  const auto steps = approximation(torusMesh((20.0 * torusHills()).array().floor()));
+  steps->SetPersistenceThreshold(0.05);
+  EXPECT_TRUE(update(steps).succeeded);
+  EXPECT_GE(critical(steps)->GetNumberOfPoints(), 4);
+  EXPECT_EQ(figure(steps, "Missing"), 0.0);
+  const auto image = slopeImage(12, 12, 12);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, wave(Vector3d(image->GetPoint(i))));
+  }
+  const auto mirrored = approximation(image);
+  EXPECT_TRUE(update(mirrored).succeeded);
+  EXPECT_EQ(figure(mirrored, "Missing"), 0.0);
+  EXPECT_LT(figure(mirrored, "LInfinityError"), 0.05);
+}
+
 TEST(MeshlessApproximationInput, numbersOutOfTheirRange)
 {
   const auto expectRefused = [](const auto& change, std::initializer_list<const char*> parts)
   {
-    const auto filter = approximation(torusMesh(torusHeight()));
+    const auto filter = approximation(torusMesh(torusHills()));
     change(*filter);
     expectRefusal(filter, parts);
   };
