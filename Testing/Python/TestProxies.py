@@ -201,6 +201,26 @@ PROXIES = {
         },
         "others": ["Input", "ScalarArray", "ConstraintArray"],
     },
+    "MeshlessApproximation": {
+        "ports": ["Output", "Model", "CriticalPoints"],
+        "enumerations": {
+            "CentreSelection": {"Greedy": 0, "LevelSets": 1},
+            "LevelSetConstraints": {"Interpolating": 0, "LeastSquares": 1},
+            "Kernel": KERNELS,
+        },
+        "defaults": {
+            "CentreSelection": "Greedy",
+            "LevelSetConstraints": "Interpolating",
+            "Kernel": "Cubic",
+            "KernelWidth": 0.0,
+            "Regularization": 0.0,
+            "SampleFraction": 0.01,
+            "PersistenceThreshold": 0.0,
+            "CoverageTolerance": 1e-4,
+        },
+        "others": ["Input", "ScalarArray", "ResultArrayName"],
+        "superclass": "vtkDataSetAlgorithm",
+    },
     "ScalarFunctionDesign": {
         "ports": ["Output", "CriticalPoints", "ParameterCurve"],
         "enumerations": {
