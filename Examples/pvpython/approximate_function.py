@@ -72,12 +72,13 @@ def save(views, picture):
     for view, cell in zip(views, (first, first + 1, third, third + 1)):
         layout.AssignView(cell, view)
     layout.SetSize(1400, 1200)
-    SaveScreenshot(picture, layout, ImageResolution=[1400, 1200])
+    SaveScreenshot(picture, layout, ImageResolution=[1120, 960])
 
 
-# The terrain: of its peaks and pits those that matter, and a center for every hundredth point.
+# The terrain: of its peaks and pits those that matter, and a center for every fiftieth point.
 terrain = LegacyVTKReader(FileNames=[terrain_file])
-heights = MeshlessApproximation(Input=terrain, ScalarArray=["POINTS", "Elevation"], PersistenceThreshold=0.1)
+heights = MeshlessApproximation(
+    Input=terrain, ScalarArray=["POINTS", "Elevation"], SampleFraction=0.02, PersistenceThreshold=0.1)
 report("terrain", heights)
 low, high = terrain.PointData["Elevation"].GetRange()
 worst = max(abs(bound) for bound in heights.PointData["ApproximationError"].GetRange())
@@ -117,6 +118,7 @@ cut = Slice(Input=volume, SliceType="Plane")
 cut.SliceType.Origin = [0, 0, 4.5]
 cut.SliceType.Normal = [0, 0, 1]
 surfaces = Contour(Input=volume, ContourBy=["POINTS", "RTDataApproximation"], Isosurfaces=[0.55 * low + 0.45 * high])
+box = Outline(Input=wavelet)
 kept = Threshold(Input=OutputPort(volume, 2), Scalars=["POINTS", "Prescribed"], LowerThreshold=1, UpperThreshold=1)
 colors("CriticalType", 0, 3, "Cool to Warm (Extended)")
 
@@ -125,6 +127,6 @@ save([
     view_of([(cut, "RTData")], "f at z = 4.5"),
     view_of([(cut, "RTDataApproximation")], "approximation"),
     view_of([(cut, "ApproximationError")], "error"),
-    view_of([(surfaces, [0.85, 0.85, 0.82]), (balls(kept, 0.7), "CriticalType")], "a level set, critical points",
-            elevation=-20, azimuth=30, zoom=1.1),
+    view_of([(surfaces, [0.85, 0.85, 0.82]), (box, [0.4, 0.4, 0.4]), (balls(kept, 0.7), "CriticalType")],
+            "a level set, critical points", elevation=-20, azimuth=30),
 ], volume_picture)
