@@ -60,20 +60,22 @@ std::size_t endOfBlock(
 LevelSetDistortion finiteOnes(
   const std::vector<Index>& intervals, const Values& distances, const ValuesRef& isoValues)
 {
-  LevelSetDistortion result;
-  result.isoValues.resize(distances.size());
-  result.distances.resize(distances.size());
+  LevelSetDistortion result{ distances, distances, distances, 0 };
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < distances.size(); ++i)
   {
     if (std::isfinite(distances[i]))
     {
-      result.isoValues[count] = isoValues[intervals[static_cast<std::size_t>(i)]];
+      const Index level = intervals[static_cast<std::size_t>(i)];
+      result.isoValues[count] = isoValues[level];
+      result.nextIsoValues[count] = isoValues[level + 1];
       result.distances[count++] = distances[i];
     }
   }
-  result.isoValues.conservativeResize(count);
-  result.distances.conservativeResize(count);
+  for (Values* column : { &result.isoValues, &result.nextIsoValues, &result.distances })
+  {
+    column->conservativeResize(count);
+  }
   result.leftOut =
     static_cast<std::size_t>(std::max<Eigen::Index>(0, isoValues.size() - 1) - count);
   return result;
@@ -120,6 +122,23 @@ LevelSetDistortion measureIntervals(const SimplicesRef& cells, const std::vector
   }
   execution.report(1.0);
   return finiteOnes(intervals, distances, isoValues);
+}
+
+int affordableHalvings(
+  const SimplicesRef& edges, const ValuesRef& values, int most, double crossings)
+{
+  const double range = values.maxCoeff() - values.minCoeff();
+  double perPart = 0.0; // crossings, by an even division of the range
+  for (Eigen::Index edge = 0; edge < edges.cols(); ++edge)
+  {
+    perPart += std::abs(values[edges(1, edge)] - values[edges(0, edge)]) / range;
+  }
+  int halvings = 1;
+  while (halvings < most && std::ldexp(perPart, halvings + 1) <= crossings)
+  {
+    ++halvings;
+  }
+  return halvings;
 }
 
 } // namespace SurfaceScalars

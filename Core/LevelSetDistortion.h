@@ -12,6 +12,7 @@ namespace SurfaceScalars
 struct LevelSetDistortion
 {
   Values isoValues;        ///< at which intervals begin, ascending
+  Values nextIsoValues;    ///< at which they end
   Values distances;        ///< between the level sets of both ends, length units
   std::size_t leftOut = 0; ///< intervals with a critical value, or with an end that has no level
                            ///< set or none that a way leads to
@@ -48,6 +49,12 @@ SURFACESCALARSCORE_EXPORT LevelSetDistortion hausdorffDistortion(const PointsRef
 SURFACESCALARSCORE_EXPORT LevelSetDistortion geodesicDistortion(const PointsRef& vertices,
   const MeshTopology& mesh, const ValuesRef& values, const ValuesRef& isoValues,
   const ValuesRef& criticalValues, const Execution& execution = {});
+
+/// The largest k from 1 to `most` for which the level sets of dyadicIsoValues(values, k) cross
+/// edges about `crossings` times or less.
+/// @param values not all the same
+SURFACESCALARSCORE_EXPORT int affordableHalvings(
+  const SimplicesRef& edges, const ValuesRef& values, int most, double crossings);
 
 /// The edges of a mesh or volume, each once. @param topology with link() and vertexCount()
 template <class Topology>

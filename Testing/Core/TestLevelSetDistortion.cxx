@@ -23,7 +23,7 @@ namespace
 const Values None; ///< critical values
 
 /// The points in which edges of simplices cross a value; those of several simplices several times.
-std::vector<Vector3d> crossings(const SimplicialMesh& mesh, const Values& values, double isoValue)
+std::vector<Vector3d> crossingsOf(const SimplicialMesh& mesh, const Values& values, double isoValue)
 {
   std::vector<Vector3d> points;
   for (Eigen::Index simplex = 0; simplex < mesh.simplices.cols(); ++simplex)
@@ -91,12 +91,13 @@ void expectBruteForce(const SimplicialMesh& mesh, const Simplices& edges, const 
   Eigen::Index row = 0;
   for (Eigen::Index i = 0; i + 1 < isoValues.size(); ++i)
   {
-    const auto one = crossings(mesh, values, isoValues[i]);
-    const auto other = crossings(mesh, values, isoValues[i + 1]);
+    const auto one = crossingsOf(mesh, values, isoValues[i]);
+    const auto other = crossingsOf(mesh, values, isoValues[i + 1]);
     if (!one.empty() && !other.empty())
     {
       ASSERT_LT(row, distortion.distances.size()) << name;
       EXPECT_EQ(distortion.isoValues[row], isoValues[i]) << name;
+      EXPECT_EQ(distortion.nextIsoValues[row], isoValues[i + 1]) << name;
       EXPECT_NEAR(distortion.distances[row], hausdorff(one, other), 1e-12) << name;
       ++row;
     }
@@ -145,6 +146,30 @@ TEST(LevelSetDistortion, takesEachEdgeOnce)
       named.eulerCharacteristic)
       << named.name;
   }
+}
+
+// As many halvings as asked for can be afforded, up to a bound: one more crosses more often.
+TEST(LevelSetDistortion, countsCrossings)
+{
+  const TriangleMesh mesh = subdividedSphere(4);
+  const Simplices edges = edgesOf(topologyOf(mesh));
+  const Values values = randomValues(mesh, 1);
+  const SimplicialMesh asEdges{ mesh.points, edges };
+  for (const double crossings : { 1e4, 1e5 })
+  {
+    const int halvings = affordableHalvings(edges, values, 20, crossings);
+    for (const int more : { 0, 1 })
+    {
+      double count = 0.0;
+      for (const double isoValue : dyadicIsoValues(values, halvings + more))
+      {
+        count += static_cast<double>(crossingsOf(asEdges, values, isoValue).size());
+      }
+      EXPECT_TRUE(more == 0 ? count <= crossings : count > 0.9 * crossings) << count;
+    }
+  }
+  EXPECT_EQ(affordableHalvings(edges, values, 3, 1e9), 3);
+  EXPECT_EQ(affordableHalvings(edges, values, 3, 0.0), 1);
 }
 
 /// Greatest relative error of the distances.
