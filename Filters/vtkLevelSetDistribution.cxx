@@ -38,8 +38,8 @@ constexpr double TopologyShare = 0.25;
 constexpr double CriticalShare = 0.35;
 
 // What can be measured in some seconds: fronts take longer than searches.
-constexpr double MostCrossings = 4e6;
-constexpr double MostCrossingsOfFronts = 2e5;
+constexpr double MostCrossings = 2e7;
+constexpr double MostCrossingsOfFronts = 1e6;
 
 bool isGeodesic(vtkLevelSetDistribution& filter)
 {

@@ -158,6 +158,18 @@ PROXIES = {
         },
         "others": ["Input", "ScalarArray", "VolumeFunction"],
     },
+    "LevelSetDistribution": {
+        "ports": ["Output", "Coverage", "Distortion"],
+        "superclass": "vtkDataSetAlgorithm",
+        "enumerations": {"DistanceMeasure": {"Hausdorff": 0, "Geodesic": 1}},
+        "defaults": {
+            "CoverageTolerance": 1e-4,
+            "DistanceMeasure": "Hausdorff",
+            "PersistenceThreshold": 0.0,
+            "MaximumIntervals": 0,
+        },
+        "others": ["Input", "ScalarArray"],
+    },
     "MeshCriticalPoints": {
         "ports": ["Output", "CriticalPoints", "PersistencePairs", "Simplification"],
         "enumerations": {},
