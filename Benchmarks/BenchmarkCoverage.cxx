@@ -1,4 +1,5 @@
 #include "LevelSetCoverage.h"
+#include "LevelSetDistortion.h"
 #include "TorusMesh.h"
 
 #include <Eigen/Geometry>
@@ -69,11 +70,54 @@ void sumAreas(benchmark::State& state)
   }
 }
 
-BENCHMARK(coverage)
-  ->ArgNames({ "vertices", "threads" })
-  ->ArgsProduct({ { 10000, 100000, 1000000 }, { 1, 2 } })
-  ->Unit(benchmark::kMillisecond)
-  ->UseRealTime();
+/// The map of the level sets between 64 parts of the range.
+template <class Measure>
+void measureMap(benchmark::State& state, const Measure& measure)
+{
+  const CoverageCase& input = caseOf(state);
+  const MeshTopology mesh(static_cast<Index>(input.values.size()), input.mesh.triangles);
+  const Values isoValues = dyadicIsoValues(input.values, 6);
+  for (auto _ : state)
+  {
+    const LevelSetDistortion map =
+      measure(input, mesh, isoValues, Execution{ static_cast<int>(state.range(1)), {} });
+    benchmark::DoNotOptimize(map.distances.data());
+  }
+}
+
+void hausdorffMap(benchmark::State& state)
+{
+  measureMap(state,
+    [](const CoverageCase& input, const MeshTopology& mesh, const Values& isoValues,
+      const Execution& execution)
+    {
+      return hausdorffDistortion(
+        input.mesh.vertices, edgesOf(mesh), input.values, isoValues, Values(), execution);
+    });
+}
+
+void geodesicMap(benchmark::State& state)
+{
+  measureMap(state,
+    [](const CoverageCase& input, const MeshTopology& mesh, const Values& isoValues,
+      const Execution& execution)
+    {
+      return geodesicDistortion(
+        input.mesh.vertices, mesh, input.values, isoValues, Values(), execution);
+    });
+}
+
+void sizes(benchmark::internal::Benchmark* benchmark)
+{
+  benchmark->ArgNames({ "vertices", "threads" })
+    ->ArgsProduct({ { 10000, 100000, 1000000 }, { 1, 2 } })
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+}
+
+BENCHMARK(coverage)->Apply(sizes);
+BENCHMARK(hausdorffMap)->Apply(sizes);
+BENCHMARK(geodesicMap)->Apply(sizes);
 BENCHMARK(sumAreas)
   ->ArgName("vertices")
   ->Arg(10000)
