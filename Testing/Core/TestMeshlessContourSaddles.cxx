@@ -1,0 +1,169 @@
+#include "MeshCriticalPoints.h"
+#include "ModelExamples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+using namespace Truth;
+
+constexpr double Width = 0.5;
+
+/// Equal Gaussians in a row along x, 2 * 0.45 apart, with the middle at a place.
+Field row(int count, const Vector3d& middle)
+{
+  Points centers(3, count);
+  for (int i = 0; i < count; ++i)
+  {
+    centers.col(i) = middle + Vector3d(0.9 * (i - 0.5 * (count - 1)), 0.0, 0.0);
+  }
+  return gaussians(centers, Values::Ones(count), Width);
+}
+
+double valueAt(const Field& field, const Vector3d& place)
+{
+  return field.evaluate(place, {}).values[0];
+}
+
+/// How many points of the curves are at the place.
+std::ptrdiff_t countAt(const LevelSets& sets, const Vector3d& place, double precision = 1e-10)
+{
+  std::ptrdiff_t count = 0;
+  for (const LevelSetCurve& curve : sets.curves)
+  {
+    count += std::count_if(curve.points.begin(), curve.points.end(),
+      [&](const LevelSetPoint& point) { return (point.position - place).norm() < precision; });
+  }
+  return count;
+}
+
+// Two equal peaks: the level of the saddle between them is a figure eight, two loops that meet at
+// the saddle, wherever in a triangle, on an edge or at a vertex it lies; also if the level is off
+// by less than 1e-6 of the range. Beyond, it is two loops apart or one around both.
+TEST(MeshlessContourSaddles, giveAFigureEightOnAPlane)
+{
+  const Mesh mesh = centeredSquare(9, 3.0, 0.0); // vertices at multiples of 1/3, shifted by 1/6
+  for (const Vector3d& middle :
+    { Vector3d(0.03, 0.1, 0.0), Vector3d(0.05, 0.05, 0.0), Vector3d(0.05, 1.0 / 6, 0.0),
+      Vector3d(1.0 / 6, 1.0 / 6, 0.0), Vector3d(0.02, 1.0 / 6 - 1e-5, 0.0) })
+  {
+    const Field field = row(2, middle);
+    const double level = valueAt(field, middle);
+    for (const double off : { 0.0, 1e-9, -1e-9, 9e-7, -9e-7 })
+    {
+      const LevelSets sets = contoursOf(field, mesh, { level + off }).sets;
+      ASSERT_EQ(sets.curves.size(), 2u) << middle.transpose() << " " << off;
+      EXPECT_TRUE(sets.curves[0].closed && sets.curves[1].closed);
+      EXPECT_NEAR(sets.curves[0].length / sets.curves[1].length, 1.0, 1e-2);
+      EXPECT_EQ(countAt(sets, middle), 2) << middle.transpose() << " " << off;
+    }
+    EXPECT_EQ(contoursOf(field, mesh, { level + 3e-6 }).sets.curves.size(), 2u);
+    EXPECT_EQ(contoursOf(field, mesh, { level - 3e-6 }).sets.curves.size(), 1u);
+    EXPECT_EQ(countAt(contoursOf(field, mesh, { level + 3e-6 }).sets, middle), 0);
+  }
+}
+
+// Three peaks in a row: two saddles of one level, a loop around each peak.
+TEST(MeshlessContourSaddles, joinBranchesBetweenTwoSaddles)
+{
+  const Field field = row(3, Vector3d(0.02, 0.03, 0.0));
+  const Vector3d saddle(0.02 + 0.45, 0.03, 0.0); // nearly: the third peak moves it
+  double low = -0.1;
+  double high = 0.1;
+  const auto along = [&](double x) { return valueAt(field, saddle + Vector3d(x, 0, 0)); };
+  for (int i = 0; i < 60; ++i) // the least value between the peaks
+  {
+    const double third = (high - low) / 3.0;
+    (along(low + third) < along(high - third) ? high : low) +=
+      along(low + third) < along(high - third) ? -third : third;
+  }
+  const double level = along(low);
+  const LevelSets sets = contoursOf(field, centeredSquare(11, 3.4, 0.2), { level }).sets;
+  ASSERT_EQ(sets.curves.size(), 3u);
+  for (const LevelSetCurve& curve : sets.curves)
+  {
+    EXPECT_TRUE(curve.closed);
+  }
+}
+
+// Peaks and pits in turn around a place are a saddle of multiplicity 2 there: six branches, which
+// end at the boundary.
+TEST(MeshlessContourSaddles, haveSixBranchesIfTheyAreDouble)
+{
+  Points centers(3, 6);
+  Values heights(6);
+  const Vector3d middle(0.04, 0.07, 0.0);
+  for (int i = 0; i < 6; ++i)
+  {
+    const double angle = 0.1 + Pi / 3 * i;
+    centers.col(i) = middle + 0.6 * Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    heights[i] = i % 2 == 0 ? 1.0 : -1.0;
+  }
+  const LevelSets sets =
+    contoursOf(gaussians(centers, heights, Width), centeredSquare(8, 2.0, 0.2), { 0.0 }).sets;
+  ASSERT_EQ(sets.curves.size(), 6u);
+  EXPECT_EQ(countAt(sets, middle, 1e-6), 6);
+  for (const LevelSetCurve& curve : sets.curves)
+  {
+    EXPECT_FALSE(curve.closed);
+  }
+}
+
+// The height on a torus restricted to its mesh has saddles at vertices: the level of each is 1 + m
+// loops that meet there, in addition to those of the other components.
+TEST(MeshlessContourSaddles, giveLoopsAtVerticesOfATorus)
+{
+  const Mesh mesh = torusMesh(40, true);
+  const Vector3d up = Vector3d(1.0, 0.13, 0.07).normalized();
+  const MeshTopology topology(static_cast<Index>(mesh.vertices.cols()), mesh.triangles);
+  const Values heights = mesh.vertices.transpose() * up;
+  const VertexTypes types = classifyVertices(topology, heights);
+  int saddles = 0;
+  for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
+  {
+    if (types.types[vertex] != CriticalType::Saddle)
+    {
+      continue;
+    }
+    ++saddles;
+    const LevelSets sets = contoursOf(linearField(up), mesh, { heights[vertex] }).sets;
+    EXPECT_EQ(countAt(sets, mesh.vertices.col(vertex)),
+      1 + static_cast<std::ptrdiff_t>(types.multiplicities[vertex]));
+    for (const LevelSetCurve& curve : sets.curves)
+    {
+      EXPECT_TRUE(curve.closed);
+    }
+  }
+  EXPECT_GE(saddles, 2);
+}
+
+// Neither a peak, a pit, a ridge nor a vertex that merely has the level's value is taken for one.
+TEST(MeshlessContourSaddles, areNothingElse)
+{
+  const Mesh mesh = centeredSquare(8, 2.0, 0.2);
+  EXPECT_TRUE(contoursOf(bump(Vector3d::Zero(), Width), mesh, { 1.0 }).sets.curves.size() <= 1);
+  // A ridge along y, at whose very value there is at most what rounding leaves.
+  Points line(3, 41);
+  for (int i = 0; i < 41; ++i)
+  {
+    line.col(i) = Vector3d(0.0, 0.1 * (i - 20), 0.0);
+  }
+  const Field ridge = gaussians(line, Values::Constant(41, 0.2), 0.3);
+  const double top = valueAt(ridge, Vector3d::Zero());
+  for (const LevelSetCurve& curve : contoursOf(ridge, mesh, { top - 1e-3 }).sets.curves)
+  {
+    EXPECT_FALSE(curve.closed);
+  }
+  const LevelSets line2 =
+    contoursOf(linearField(Vector3d(1, 1, 0)), centeredSquare(8, 2.0, 0.0), { 0.0 }).sets;
+  EXPECT_EQ(line2.curves.size(), 1u);
+}
+
+} // namespace
+} // namespace SurfaceScalars

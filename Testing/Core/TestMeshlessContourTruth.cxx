@@ -1,0 +1,111 @@
+#include "FieldTruth.h"
+#include "ModelExamples.h"
+#include "Polyline.h"
+#include "UniformContour.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+using namespace Truth;
+
+struct Model
+{
+  Mesh mesh;
+  std::unique_ptr<Field> field;
+  double level;
+};
+
+/// Random values at random centers, more and more of them, on meshes of a few triangles; the level
+/// is anywhere or close to an extremum.
+Model randomModel(unsigned seed, KernelType kernel)
+{
+  Random random(31 * seed + static_cast<unsigned>(kernel));
+  Model model{ seed % 3 == 0 ? centeredSquare(2, 1.0, 0.3) : sphereMesh(seed % 3 == 1 ? 0 : 1), {},
+    0.0 };
+  const int count = 10 + static_cast<int>(seed * 7 % 70);
+  const Points centers = randomPlaces(count, seed % 3 == 0 ? 0.7 : 1.1, seed);
+  Values values(count);
+  for (double& value : values)
+  {
+    value = random.uniform(-1.0, 1.0);
+  }
+  FieldParameters parameters = parametersOf(Scheme::GlobalRBF, kernel);
+  parameters.kernelWidth = RadialKernel(kernel, 1.0).dependsOnWidth()
+    ? std::isfinite(RadialKernel(kernel, 1.0).support()) ? 1.0 : 0.35
+    : 0.0;
+  model.field = std::make_unique<Field>(Field::fit(centers, values, parameters));
+  const Values atVertices = model.field->evaluate(model.mesh.vertices, {}).values;
+  model.level = seed % 2 == 0 ? 0.3 * random.uniform(-1.0, 1.0)
+                              : atVertices.minCoeff() + 0.02 * random.uniform();
+  return model;
+}
+
+double distanceToCurves(const Vector3d& place, const std::vector<LevelSetCurve>& curves)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const LevelSetCurve& curve : curves)
+  {
+    const std::size_t count = curve.points.size();
+    for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i)
+    {
+      least = std::min(least,
+        distanceToSegment(place, curve.points[i].position, curve.points[(i + 1) % count].position));
+    }
+  }
+  return least;
+}
+
+class MeshlessContourTruth : public testing::TestWithParam<KernelType>
+{
+};
+INSTANTIATE_TEST_SUITE_P(All, MeshlessContourTruth, testing::ValuesIn(interpolatingKernels()),
+  [](const auto& kernel) { return nameOf(kernel.param); });
+
+// Every component wider than the finest subdivision is found: all that marching through every
+// triangle of that subdivision finds, of 14 models of each of 9 kernels, many finer than the mesh.
+// And what is found is on the level set.
+TEST_P(MeshlessContourTruth, findsAllThatIsWiderThanTheFinestSubdivision)
+{
+  constexpr int Refinement = 4;
+  int count = 0;
+  for (unsigned seed = 1; seed <= 14; ++seed)
+  {
+    const Model model = randomModel(seed, GetParam());
+    const MeshlessContours contours =
+      contoursOf(*model.field, model.mesh, { model.level }, 0.0, Refinement);
+    const Mesh finest = subdivided(model.mesh, Refinement);
+    const double edge = longestEdge(finest);
+    for (const Points& component :
+      uniformContour(finest, model.field->evaluate(finest.vertices, {}).values, model.level))
+    {
+      const Vector3d extent = component.rowwise().maxCoeff() - component.rowwise().minCoeff();
+      for (Eigen::Index i = 0; i < component.cols() && extent.norm() > edge; ++i)
+      {
+        ASSERT_LE(distanceToCurves(component.col(i), contours.sets.curves), 0.5 * edge)
+          << "seed " << seed;
+        ++count;
+      }
+    }
+    for (const LevelSetCurve& curve : contours.sets.curves)
+    {
+      for (const LevelSetPoint& point : curve.points)
+      {
+        EXPECT_LE(point.residual, 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(count, 500);
+}
+
+} // namespace
+} // namespace SurfaceScalars
