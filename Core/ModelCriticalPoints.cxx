@@ -24,11 +24,17 @@ constexpr double Tolerance = 1e-10; // of the tangential gradient, in its scale
 constexpr double Rounding = 1e-12;  // of values, in their size: less is constant
 constexpr double SamePlace = 0.1;   // of two points, in spacings of the mesh
 
+struct Arrival
+{
+  SurfaceSearch search;
+  int steps; ///< of this search and those in vain before it
+};
+
 /// Where the searches from one candidate lead: to points of its type.
 struct Arrivals
 {
-  std::vector<SurfaceSearch> found; ///< different ones
-  double residual = 0.0;            ///< at the candidate itself
+  std::vector<Arrival> found; ///< different ones
+  double residual = 0.0;      ///< at the candidate itself
 };
 
 bool isSame(const SurfaceSearch& one, const SurfaceSearch& other)
@@ -57,6 +63,7 @@ public:
     {
       return arrivals;
     }
+    this->steps_ = 0;
     this->add(vertex, candidate.type, poll, arrivals);
     const auto wanted = static_cast<std::size_t>(candidate.multiplicity);
     for (const Index neighbor : this->mesh_.link(vertex))
@@ -73,11 +80,13 @@ private:
   void add(Index start, CriticalType type, const Poll& poll, Arrivals& arrivals)
   {
     const SurfaceSearch search = this->newton_.search(start, type, poll);
-    const auto isKnown = [&](const SurfaceSearch& other) { return isSame(search, other); };
+    this->steps_ += search.stepCount();
+    const auto isKnown = [&](const Arrival& other) { return isSame(search, other.search); };
     if (search.isCritical && search.isOnMesh && typeOf(search.restricted.hessian) == type &&
       std::none_of(arrivals.found.begin(), arrivals.found.end(), isKnown))
     {
-      arrivals.found.push_back(search);
+      arrivals.found.push_back({ search, this->steps_ });
+      this->steps_ = 0;
     }
   }
 
@@ -85,6 +94,7 @@ private:
   const MeshTopology& mesh_;
   SurfaceNewton newton_;
   bool isConstant_;
+  int steps_ = 0; ///< since something was found
 };
 
 /// Tells which arrivals stand for points of u, and what becomes of the other candidates.
@@ -106,7 +116,8 @@ public:
   void settle(ModelCriticalPoints& result)
   {
     const std::vector<Claim> claims = this->claims();
-    const Points places = placesOf(claims, [](const Claim& claim) { return claim.search->place; });
+    const Points places =
+      placesOf(claims, [](const Claim& claim) { return claim.arrival->search.place; });
     const PointTree tree(places);
     std::vector<char> isSettled(claims.size(), 0);
     Neighborhood near;
@@ -114,7 +125,7 @@ public:
     {
       const Claim& claim = claims[i];
       const CriticalType type = this->candidates_.points[claim.candidate].type;
-      tree.within(claim.search->place, SamePlace * claim.search->spacing, near);
+      tree.within(claim.arrival->search.place, SamePlace * claim.arrival->search.spacing, near);
       const auto isTaken = [&](Index other) {
         return isSettled[other] != 0 &&
           this->candidates_.points[claims[other].candidate].type == type;
@@ -166,7 +177,7 @@ private:
   struct Claim
   {
     std::size_t candidate;
-    const SurfaceSearch* search;
+    const Arrival* arrival;
   };
 
   /// The most persistent first.
@@ -175,9 +186,9 @@ private:
     std::vector<Claim> claims;
     for (std::size_t i = 0; i < this->arrivals_.size(); ++i)
     {
-      for (const SurfaceSearch& search : this->arrivals_[i].found)
+      for (const Arrival& arrival : this->arrivals_[i].found)
       {
-        claims.push_back({ i, &search });
+        claims.push_back({ i, &arrival });
       }
     }
     std::stable_sort(claims.begin(), claims.end(),
@@ -193,12 +204,12 @@ private:
   {
     const CriticalPoint& candidate = this->candidates_.points[claim.candidate];
     ModelCriticalPoint result{ candidate, candidate.input, true };
-    result.point.position = claim.search->place;
+    result.point.position = claim.arrival->search.place;
     result.point.multiplicity = 1;
-    result.point.value = claim.search->restricted.value;
-    result.point.input = claim.search->vertex;
-    result.point.residual = claim.search->residuals.back();
-    result.iterations = static_cast<int>(claim.search->residuals.size()) - 1;
+    result.point.value = claim.arrival->search.restricted.value;
+    result.point.input = claim.arrival->search.vertex;
+    result.point.residual = claim.arrival->search.residuals.back();
+    result.iterations = claim.arrival->steps;
     return result;
   }
 

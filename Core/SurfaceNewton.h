@@ -5,6 +5,7 @@
 #include "Field.h"
 #include "MeshChart.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct SurfaceSearch
   int evaluations = 0;           ///< of u with its derivatives
   bool isCritical = false;       ///< the last residual is within the tolerance
   bool isOnMesh = false;         ///< and not beyond its boundary
+
+  int stepCount() const { return std::max(0, static_cast<int>(this->residuals.size()) - 1); }
 };
 
 /**

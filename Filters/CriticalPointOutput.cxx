@@ -129,4 +129,23 @@ void writeFuzzyCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyD
   output->GetPointData()->AddArray(residuals);
 }
 
+void writeModelCriticalPoints(const std::vector<ModelCriticalPoint>& points, vtkPolyData* output)
+{
+  std::vector<CriticalPoint> places;
+  Values residuals(static_cast<Eigen::Index>(points.size()));
+  std::vector<int> iterations;
+  std::vector<int> refined;
+  for (const ModelCriticalPoint& point : points)
+  {
+    residuals[static_cast<Eigen::Index>(places.size())] = point.point.residual;
+    places.push_back(point.point);
+    iterations.push_back(point.iterations);
+    refined.push_back(point.isRefined ? 1 : 0);
+  }
+  writeCriticalPoints(places, output);
+  output->GetPointData()->AddArray(makeDoubles("Residual", residuals));
+  output->GetPointData()->AddArray(makeInts("Iterations", iterations));
+  output->GetPointData()->AddArray(makeInts("Refined", refined));
+}
+
 } // namespace SurfaceScalars

@@ -2,6 +2,7 @@
 
 #include "CriticalPoint.h"
 #include "FuzzyCriticalPoints.h"
+#include "ModelCriticalPoints.h"
 #include "SurfaceVertices.h"
 
 #include <string>
@@ -33,5 +34,8 @@ void writeCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* 
 
 /// The same with CriticalProbability and Residual.
 void writeFuzzyCriticalPoints(const std::vector<CriticalPoint>& points, vtkPolyData* output);
+
+/// The same with Residual, Iterations and Refined (0 or 1).
+void writeModelCriticalPoints(const std::vector<ModelCriticalPoint>& points, vtkPolyData* output);
 
 } // namespace SurfaceScalars

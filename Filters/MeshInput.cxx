@@ -24,6 +24,7 @@ namespace
 constexpr double TriangleShare = 0.6;
 constexpr double PointShare = 0.8;
 constexpr double ValueShare = 0.9;
+constexpr double EvaluationShare = 0.1; // and where the evaluation of a function begins
 
 void noteOtherCells(FilterRun& run, vtkPolyData* input)
 {
@@ -150,6 +151,20 @@ MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* inpu
   mesh.values = values(mesh.surface.map.pointOfVertex);
   mesh.valueName = choice.name;
   execution.report(1.0);
+  return mesh;
+}
+
+MeshInput readMesh(
+  FilterRun& run, const Execution& execution, vtkPolyData* input, const PlaceFunction& function)
+{
+  Triangles triangles = readTriangles(run, execution.part(0.0, EvaluationShare), input);
+  const Points points = readPoints(input->GetPoints(), {});
+  const Values values = function.values(points, execution.part(EvaluationShare, 1.0));
+
+  MeshInput mesh;
+  mesh.surface = usableSurface(run, points, values, std::move(triangles));
+  mesh.values = values(mesh.surface.map.pointOfVertex);
+  mesh.valueName = function.name;
   return mesh;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "Execution.h"
 #include "MeshTopology.h"
 #include "SurfaceVertices.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,17 @@ struct MeshInput
  * @throws InvalidInput if no triangle is left, and as chooseScalars(); Aborted
  */
 MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* input);
+
+/// A function that is not an array: its values at places, NaN where it has none.
+struct PlaceFunction
+{
+  std::function<Values(const Points&, const Execution&)> values;
+  std::string name;
+};
+
+/// The same with the values of such a function at the points, which takes most of the time.
+MeshInput readMesh(
+  FilterRun& run, const Execution& execution, vtkPolyData* input, const PlaceFunction& function);
 
 /// The same without a function: reads the triangles only.
 MeshedSurface readSurface(FilterRun& run, const Execution& execution, vtkPolyData* input);

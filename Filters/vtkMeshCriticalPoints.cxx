@@ -4,17 +4,22 @@
 #include "FilterRun.h"
 #include "MeshInput.h"
 #include "MeshOutput.h"
+#include "ModelOnMesh.h"
+#include "OutputArrays.h"
 #include "PropertyChoice.h"
 
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,13 +30,23 @@ using namespace SurfaceScalars;
 namespace
 {
 
+constexpr int ModelPort = 1;
 constexpr int TablePort = 3;
 
-// The shares of the whole that end with reading, topology, types and thresholds.
-constexpr double ReadShare = 0.2;
-constexpr double TopologyShare = 0.4;
-constexpr double TypeShare = 0.5;
-constexpr double DeltaShare = 0.6;
+/// The shares of the whole that end with a model, reading, topology and critical vertices.
+struct Shares
+{
+  double model;
+  double read;
+  double topology;
+  double vertices;
+};
+constexpr Shares WithoutModel{ 0.0, 0.2, 0.4, 1.0 };
+constexpr Shares WithModel{ 0.05, 0.7, 0.75, 0.9 };
+
+// Of finding critical vertices.
+constexpr double TypeShare = 0.2;
+constexpr double DeltaShare = 0.4;
 
 /// Fractions of the range, 0 and then 1e-4 to 1, evenly on a logarithmic axis: noise is near 0.
 std::vector<double> curveThresholds()
@@ -46,24 +61,34 @@ std::vector<double> curveThresholds()
   return thresholds;
 }
 
-/// All critical points, how they vanish, and what is to be shown of them.
+/// The critical vertices that reach both thresholds, and how all of them vanish.
 struct Found
 {
-  std::vector<CriticalPoint> points; ///< that reach both thresholds
-  std::vector<CriticalPair> pairs;   ///< of these
-  SimplificationCurve curve;         ///< of all
+  MeshCriticalPoints critical;
+  SimplificationCurve curve; ///< of all
 };
 
+std::size_t vertexOf(const CriticalPoint& point)
+{
+  return point.input;
+}
+
+std::size_t vertexOf(const ModelCriticalPoint& point)
+{
+  return point.origin;
+}
+
 /// The pairs both of whose points are left. @param all by vertex, as are the points left
+template <class Point>
 std::vector<CriticalPair> pairsAmong(
-  const std::vector<CriticalPoint>& left, const MeshCriticalPoints& all, double threshold)
+  const std::vector<Point>& left, const MeshCriticalPoints& all, double threshold)
 {
   const auto positionOf = [&](std::size_t index)
   {
     const std::size_t vertex = all.points[index].input;
     const auto found = std::lower_bound(left.begin(), left.end(), vertex,
-      [](const CriticalPoint& point, std::size_t input) { return point.input < input; });
-    const bool isThere = found != left.end() && found->input == vertex;
+      [](const Point& point, std::size_t wanted) { return vertexOf(point) < wanted; });
+    const bool isThere = found != left.end() && vertexOf(*found) == vertex;
     return isThere ? static_cast<std::size_t>(found - left.begin()) : left.size();
   };
   std::vector<CriticalPair> pairs;
@@ -83,8 +108,7 @@ std::vector<CriticalPair> pairsAmong(
 Found findCriticalPoints(vtkMeshCriticalPoints& filter, const MeshInput& mesh,
   const MeshTopology& topology, const Execution& execution)
 {
-  const VertexTypes types =
-    classifyVertices(topology, mesh.values, execution.part(TopologyShare, TypeShare));
+  const VertexTypes types = classifyVertices(topology, mesh.values, execution.part(0.0, TypeShare));
   const Values deltas =
     deltaThresholds(topology, mesh.values, types, execution.part(TypeShare, DeltaShare));
   const MeshCriticalPoints all = meshCriticalPoints(
@@ -94,22 +118,77 @@ Found findCriticalPoints(vtkMeshCriticalPoints& filter, const MeshInput& mesh,
 
   Found found;
   found.curve = simplificationCurve(all, deltas, range, curveThresholds());
-  found.points = all.points;
-  removeBelow(found.points, all.pairs, persistence);
-  removeUpToDelta(found.points, deltas, filter.GetDelta() * range);
-  found.pairs = pairsAmong(found.points, all, persistence);
-  found.points = namedByPoints(std::move(found.points), mesh.surface.map);
+  found.critical.points = all.points;
+  removeBelow(found.critical.points, all.pairs, persistence);
+  removeUpToDelta(found.critical.points, deltas, filter.GetDelta() * range);
+  found.critical.pairs = pairsAmong(found.critical.points, all, persistence);
   return found;
+}
+
+/// The values of a model at the points, NaN at those that are not part of the surface.
+/// @returns the array's name
+std::string writeValues(const FilterRun& run, const MeshInput& mesh, vtkPolyData* output)
+{
+  const std::string name = freeName(run, mesh.valueName, { "CriticalType", "Multiplicity" });
+  makeRoom(run, output->GetPointData(), name);
+  output->GetPointData()->AddArray(makeDoubles(name, mesh.surface.map.atPoints(mesh.values)));
+  return name;
+}
+
+/// Ports 1 and 2, and the field data of ports 0 and 1.
+void writeRefined(FilterRun& run, ModelCriticalPoints refined, const NamedField& model,
+  const MeshInput& mesh, const MeshTopology& topology, const MeshCriticalPoints& candidates,
+  vtkInformationVector* outputs)
+{
+  writeRefinement(run, refined, candidates.points.size(), model.field, topology, outputs);
+  const std::vector<CriticalPair> pairs = pairsAmong(refined.points, candidates, 0.0);
+  std::vector<CriticalPoint> places;
+  for (ModelCriticalPoint& point : refined.points)
+  {
+    point.point.input = static_cast<std::size_t>(mesh.surface.map.pointOfVertex[point.point.input]);
+    places.push_back(point.point);
+  }
+  writeModelCriticalPoints(refined.points, vtkPolyData::GetData(outputs, 1));
+  writeSummary(run, places, topology, outputs);
+  writePairs(places, pairs, vtkPolyData::GetData(outputs, 2));
 }
 
 } // namespace
 
 vtkMeshCriticalPoints::vtkMeshCriticalPoints()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(TablePort + 1);
 }
 
 vtkMeshCriticalPoints::~vtkMeshCriticalPoints() = default;
+
+void vtkMeshCriticalPoints::SetModelConnection(vtkAlgorithmOutput* connection)
+{
+  this->SetInputConnection(ModelPort, connection);
+}
+
+void vtkMeshCriticalPoints::SetModelData(vtkDataObject* data)
+{
+  this->SetInputDataInternal(ModelPort, data);
+}
+
+void vtkMeshCriticalPoints::RemoveModel()
+{
+  this->SetModelConnection(nullptr);
+}
+
+int vtkMeshCriticalPoints::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port != ModelPort)
+  {
+    return this->Superclass::FillInputPortInformation(port, information);
+  }
+  // Of any type: RequestData() says better what is wrong with others.
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
 
 int vtkMeshCriticalPoints::FillOutputPortInformation(int port, vtkInformation* information)
 {
@@ -127,16 +206,36 @@ int vtkMeshCriticalPoints::RequestData(
       checkFraction("Delta", this->Delta);
       vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
       const Execution& execution = run.execution();
-      const MeshInput mesh = readMesh(run, execution.part(0.0, ReadShare), input);
-      const MeshTopology topology = topologyOf(run, mesh, execution.part(ReadShare, TopologyShare));
-      const Found found = findCriticalPoints(*this, mesh, topology, execution);
+      vtkDataObject* modelData = vtkDataObject::GetData(inputs[ModelPort]);
+      const Shares& shares = modelData ? WithModel : WithoutModel;
+      const auto model = modelOfPort(modelData, execution.part(0.0, shares.model));
+      const Execution reading = execution.part(shares.model, shares.read);
+      const MeshInput mesh = model ? readMesh(run, reading, input, placeFunctionOf(run, *model))
+                                   : readMesh(run, reading, input);
+      const MeshTopology topology =
+        topologyOf(run, mesh, execution.part(shares.read, shares.topology));
+      const Found found =
+        findCriticalPoints(*this, mesh, topology, execution.part(shares.topology, shares.vertices));
 
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       output->ShallowCopy(input);
-      writeTypes(found.points, mesh.surface.map, mesh.valueName, run, output);
-      writeCriticalPoints(found.points, vtkPolyData::GetData(outputs, 1));
-      writeSummary(run, found.points, topology, outputs);
-      writePairs(found.points, found.pairs, vtkPolyData::GetData(outputs, 2));
+      const std::vector<CriticalPoint> marked =
+        namedByPoints(found.critical.points, mesh.surface.map);
+      if (model)
+      {
+        const std::string name = writeValues(run, mesh, output);
+        writeTypes(marked, mesh.surface.map, name, run, output);
+        ModelCriticalPoints refined = refineOnModel(mesh.surface.vertices, topology, mesh.values,
+          model->field, found.critical, execution.part(shares.vertices, 1.0));
+        writeRefined(run, std::move(refined), *model, mesh, topology, found.critical, outputs);
+      }
+      else
+      {
+        writeTypes(marked, mesh.surface.map, mesh.valueName, run, output);
+        writeCriticalPoints(marked, vtkPolyData::GetData(outputs, 1));
+        writeSummary(run, marked, topology, outputs);
+        writePairs(marked, found.critical.pairs, vtkPolyData::GetData(outputs, 2));
+      }
       writeSimplification(found.curve, vtkTable::GetData(outputs, TablePort));
     });
 }

@@ -41,12 +41,27 @@
  * maxima of port 1; EulerCharacteristic of the mesh, which with both thresholds 0 is minima -
  * saddles + maxima if those on the boundary count half, and on a closed mesh whenever Delta is 0.
  *
+ * If there is a Model (the second output of vtkRBFExtend), the function is that model u, a function
+ * of space, and no array is needed (Patane, Mesh-based and Meshless Design and Approximation of
+ * Scalar Functions, sec. 5). Its values at the points, added to port 0 under the model's name, are
+ * classified as above; each critical vertex that is left and not on the boundary is then refined
+ * off the vertices, by a trust-region Newton method on the smooth surface that the mesh samples.
+ * Port 1 has the refined places with ScalarValue of u there, PointId of the nearest point and three
+ * more arrays: Residual, the norm of the tangential gradient of u (-1 where it is not known),
+ * Iterations and Refined; what is not refined remains at its point. Persistence is that of the
+ * vertex. Minima and saddles, or saddles and maxima, that only the triangles made vanish in pairs.
+ * Field data of ports 0 and 1: CandidateCount, the critical vertices that are left by both
+ * thresholds; RefinedCount; MergedCount, candidates that led to the place of another one;
+ * VanishedCount, candidates that led nowhere; GradientScale, the root mean square of the gradient
+ * on the mesh, of which residuals are at most 1e-10; IndexSum, EulerCharacteristic if both
+ * thresholds are 0, points of the boundary counted half.
+ *
  * Vertices and lines, triangles with the same corner twice, points without a finite position or
  * value with their triangles, and points in no triangle are left out; a warning counts them. The
  * blocks of a composite dataset are worked on one by one. Refused, with the id of a point: an edge
  * of more than two triangles, a point whose triangles do not form one fan.
  *
- * @sa vtkMorseComplex vtkConstrainedSmoothing vtkFuzzyCriticalPoints
+ * @sa vtkRBFExtend vtkMorseComplex vtkConstrainedSmoothing vtkFuzzyCriticalPoints
  */
 
 #ifndef vtkMeshCriticalPoints_h
@@ -61,6 +76,15 @@ public:
   static vtkMeshCriticalPoints* New();
   vtkTypeMacro(vtkMeshCriticalPoints, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The function, if it is a model. Null or RemoveModel() returns to the point array.
+   */
+  void SetModelConnection(vtkAlgorithmOutput* connection);
+  void SetModelData(vtkDataObject* data);
+  void RemoveModel();
+  ///@}
 
   ///@{
   /**
@@ -84,6 +108,7 @@ protected:
   vtkMeshCriticalPoints();
   ~vtkMeshCriticalPoints() override;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -7,6 +7,9 @@
 #include "ModelCriticalPoints.h"
 #include "Surfaces.h"
 
+#include <Eigen/LU>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -49,6 +52,54 @@ inline SpaceFunction asFunction(const Field& field)
     [=](const Vector3d& p) { return approximation->jet(p - origin, Derivatives::None).value; },
     [=](const Vector3d& p) -> Vector3d
     { return approximation->jet(p - origin, Derivatives::Gradient).gradient; } };
+}
+
+/// [-2, 2]^2 in the plane, irregular inside.
+inline Mesh planarSquare(int size)
+{
+  Mesh mesh = squareMesh(size, 0.3);
+  mesh.vertices.topRows<2>() = (4.0 * mesh.vertices.topRows<2>()).array() - 2.0;
+  return mesh;
+}
+
+/// Where grad u vanishes in the plane z = 0 within that square, by Newton's method with differences
+/// of the gradient from a grid of starts.
+inline std::vector<CriticalPoint> planarCriticalPoints(const SpaceFunction& u)
+{
+  const auto gradient = [&](const Vector2d& p) -> Vector2d {
+    return u.gradient({ p.x(), p.y(), 0.0 }).head<2>();
+  };
+  std::vector<CriticalPoint> found;
+  constexpr int starts = 25; // along each side
+  for (int start = 0; start < starts * starts; ++start)
+  {
+    Vector2d p = 4.0 / starts * Vector2d(start % starts + 0.5, start / starts + 0.5).array() - 2.0;
+    Eigen::Matrix2d hessian;
+    for (int i = 0; i < 30; ++i)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const Vector2d shift = 1e-5 * Vector2d::Unit(axis);
+        hessian.col(axis) = (gradient(p + shift) - gradient(p - shift)) / 2e-5;
+      }
+      const Vector2d step = -hessian.inverse() * gradient(p);
+      p += step * std::min(1.0, 0.1 / step.norm());
+    }
+    const Vector3d place(p.x(), p.y(), 0.0);
+    const auto isThere = [&](const CriticalPoint& other)
+    { return (other.position - place).norm() < 1e-6; };
+    if (gradient(p).norm() < 1e-9 && p.cwiseAbs().maxCoeff() < 2.0 &&
+      std::none_of(found.begin(), found.end(), isThere))
+    {
+      CriticalPoint point;
+      point.position = place;
+      point.type = hessian.determinant() < 0.0 ? CriticalType::Saddle
+        : hessian.trace() < 0.0                ? CriticalType::Maximum
+                                               : CriticalType::Minimum;
+      found.push_back(point);
+    }
+  }
+  return found;
 }
 
 /// What a critical point search makes of a field on a mesh.

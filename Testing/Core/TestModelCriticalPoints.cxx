@@ -4,7 +4,6 @@
 #include "Error.h"
 #include "ModelCases.h"
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,14 +14,6 @@ namespace SurfaceScalars::Truth
 {
 namespace
 {
-
-/// [-2, 2]^2 in the plane, irregular inside.
-Mesh planarSquare(int size)
-{
-  Mesh mesh = squareMesh(size, 0.3);
-  mesh.vertices.topRows<2>() = (4.0 * mesh.vertices.topRows<2>()).array() - 2.0;
-  return mesh;
-}
 
 /// Through values of a function at random places of that square.
 Field planarField(const std::function<double(const Vector3d&)>& function, int count)
@@ -37,46 +28,6 @@ Field planarField(const std::function<double(const Vector3d&)>& function, int co
 double bump(const Vector3d& p)
 {
   return p.x() * std::exp(-p.squaredNorm());
-}
-
-/// Where grad u vanishes in the plane z = 0 within the square, by Newton's method with differences
-/// of the gradient from a grid of starts.
-std::vector<CriticalPoint> planarCriticalPoints(const Field& field)
-{
-  const SpaceFunction u = asFunction(field);
-  const auto gradient = [&](const Vector2d& p) -> Vector2d {
-    return u.gradient({ p.x(), p.y(), 0.0 }).head<2>();
-  };
-  std::vector<CriticalPoint> found;
-  for (int start = 0; start < 40 * 40; ++start)
-  {
-    Vector2d p = Vector2d(start % 40, start / 40).array() / 10.0 - 1.95;
-    Eigen::Matrix2d hessian;
-    for (int i = 0; i < 30; ++i)
-    {
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        const Vector2d shift = 1e-5 * Vector2d::Unit(axis);
-        hessian.col(axis) = (gradient(p + shift) - gradient(p - shift)) / 2e-5;
-      }
-      const Vector2d step = -hessian.inverse() * gradient(p);
-      p += step * std::min(1.0, 0.1 / step.norm());
-    }
-    const Vector3d place(p.x(), p.y(), 0.0);
-    const auto isThere = [&](const CriticalPoint& other)
-    { return (other.position - place).norm() < 1e-6; };
-    if (gradient(p).norm() < 1e-12 && p.cwiseAbs().maxCoeff() < 2.0 &&
-      std::none_of(found.begin(), found.end(), isThere))
-    {
-      CriticalPoint point;
-      point.position = place;
-      point.type = hessian.determinant() < 0.0 ? CriticalType::Saddle
-        : hessian.trace() < 0.0                ? CriticalType::Maximum
-                                               : CriticalType::Minimum;
-      found.push_back(point);
-    }
-  }
-  return found;
 }
 
 void expectSharp(const ModelRun& run, const std::string& name)
@@ -137,7 +88,7 @@ TEST(ModelCriticalPoints, convergeWithTheMesh)
 TEST(ModelCriticalPoints, areExactInThePlane)
 {
   const Field u = planarField(bump, 150);
-  const std::vector<CriticalPoint> exact = planarCriticalPoints(u);
+  const std::vector<CriticalPoint> exact = planarCriticalPoints(asFunction(u));
   for (const int size : { 25, 60 })
   {
     const Mesh mesh = planarSquare(size);

@@ -41,6 +41,24 @@ class TestMeshes(unittest.TestCase):
             self.assertEqual(list(support.field_array(dataset, "CriticalCounts")), [1, 2, 1])
             self.assertEqual(list(support.field_array(dataset, "EulerCharacteristic")), [0])
 
+    def test_a_model_takes_the_place_of_the_array(self):
+        extend = simple.RBFExtend(Input=self.torus, Target=self.torus, Scheme="GlobalRBF", ScalarArray=["POINTS", "f"])
+        bare = simple.PassArrays(Input=self.torus, PointDataArrays=[])
+        critical = simple.MeshCriticalPoints(Input=bare, Model=servermanager.OutputPort(extend, 1))
+        mesh, found = support.fetch(critical), support.fetch(critical, 1)
+        self.assertEqual(sorted(support.point_array(found, "CriticalType")), [0, 1, 1, 3])
+        self.assertEqual(list(support.point_array(found, "Refined")), [1, 1, 1, 1])
+        self.assertLessEqual(support.point_array(found, "Iterations").max(), 10)
+        scale = support.field_array(found, "GradientScale")[0]
+        self.assertLessEqual(support.point_array(found, "Residual").max(), 1e-10 * scale)
+        self.assertEqual(list(support.field_array(mesh, "IndexSum")), [0])
+        # The height of a torus is critical where the normal is upright: refined places are much closer to that.
+        values = support.point_array(found, "ScalarValue")
+        self.assertLess(numpy.abs(values - support.positions(found) @ UP).max(), 1e-6)
+        with_array = simple.MeshCriticalPoints(Input=self.torus, Model=servermanager.OutputPort(extend, 1))
+        with_array.Model = None
+        self.assertIsNone(support.fetch(with_array, 1).GetPointData().GetArray("Refined"))
+
     def test_arrays(self):
         critical = simple.MeshCriticalPoints(Input=self.noisy)
         found, pairs = support.fetch(critical, 1), support.fetch(critical, 2)

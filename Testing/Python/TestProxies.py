@@ -174,7 +174,7 @@ PROXIES = {
         "ports": ["Output", "CriticalPoints", "PersistencePairs", "Simplification"],
         "enumerations": {},
         "defaults": {"PersistenceThreshold": 0.0, "Delta": 0.0},
-        "others": ["Input", "ScalarArray"],
+        "others": ["Input", "Model", "ScalarArray"],
     },
     "MorseComplex": {
         "ports": ["Separatrices", "Nodes"],
