@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -101,14 +101,20 @@ private:
 class Settlement
 {
 public:
-  Settlement(const MeshCriticalPoints& candidates, const std::vector<Arrivals>& arrivals)
-    : candidates_(candidates)
+  Settlement(const MeshTopology& mesh, const MeshCriticalPoints& candidates,
+    const std::vector<Arrivals>& arrivals)
+    : mesh_(mesh)
+    , candidates_(candidates)
     , arrivals_(arrivals)
     , left_(candidates.points.size())
   {
     for (std::size_t i = 0; i < candidates.points.size(); ++i)
     {
       this->left_[i] = candidates.points[i].multiplicity;
+      if (!this->isInside(i))
+      {
+        this->ofBoundary_[candidates.points[i].input] = candidates.points[i].type;
+      }
     }
   }
 
@@ -130,7 +136,8 @@ public:
         return isSettled[other] != 0 &&
           this->candidates_.points[claims[other].candidate].type == type;
       };
-      if (std::none_of(near.indices.begin(), near.indices.end(), isTaken))
+      if (!this->isHeldByBoundary(claim.arrival->search.vertex, type) &&
+        std::none_of(near.indices.begin(), near.indices.end(), isTaken))
       {
         isSettled[i] = 1;
         --this->left_[claim.candidate];
@@ -140,14 +147,12 @@ public:
   }
 
   /// Pairs neither of which stands for a point.
-  void cancel(const MeshTopology& mesh, ModelCriticalPoints& result)
+  void cancel(ModelCriticalPoints& result)
   {
-    const auto isInside = [&](std::size_t candidate)
-    { return !mesh.isBoundary(static_cast<Index>(this->candidates_.points[candidate].input)); };
     for (const CriticalPair& pair : this->candidates_.pairs)
     {
       if (this->left_[pair.extremum] > 0 && this->left_[pair.saddle] > 0 &&
-        isInside(pair.extremum) && isInside(pair.saddle))
+        this->isInside(pair.extremum) && this->isInside(pair.saddle))
       {
         for (const std::size_t candidate : { pair.extremum, pair.saddle })
         {
@@ -179,6 +184,23 @@ private:
     std::size_t candidate;
     const Arrival* arrival;
   };
+
+  bool isInside(std::size_t candidate) const
+  {
+    return !this->mesh_.isBoundary(static_cast<Index>(this->candidates_.points[candidate].input));
+  }
+
+  /// Whether a critical vertex of the boundary, which remains, is next to where a search ends.
+  bool isHeldByBoundary(Index vertex, CriticalType type) const
+  {
+    const auto isHeld = [&](Index other)
+    {
+      const auto found = this->ofBoundary_.find(other);
+      return found != this->ofBoundary_.end() && found->second == type;
+    };
+    const VertexRange link = this->mesh_.link(vertex);
+    return isHeld(vertex) || std::any_of(link.begin(), link.end(), isHeld);
+  }
 
   /// The most persistent first.
   std::vector<Claim> claims() const
@@ -213,8 +235,10 @@ private:
     return result;
   }
 
+  const MeshTopology& mesh_;
   const MeshCriticalPoints& candidates_;
   const std::vector<Arrivals>& arrivals_;
+  std::map<std::size_t, CriticalType> ofBoundary_; ///< critical vertices
   std::vector<int> left_; ///< of the multiplicity of each candidate, what stands for no point yet
 };
 
@@ -271,9 +295,9 @@ ModelCriticalPoints refineOnModel(const PointsRef& vertices, const MeshTopology&
   result.gradientScale = gradientScale(vertices, mesh.triangles(), values);
   const std::vector<Arrivals> arrivals =
     searchFromAll(vertices, mesh, u, candidates, result.gradientScale, execution);
-  Settlement settlement(candidates, arrivals);
+  Settlement settlement(mesh, candidates, arrivals);
   settlement.settle(result);
-  settlement.cancel(mesh, result);
+  settlement.cancel(result);
   settlement.keepRest(result);
   std::stable_sort(result.points.begin(), result.points.end(),
     [](const ModelCriticalPoint& a, const ModelCriticalPoint& b) { return a.origin < b.origin; });

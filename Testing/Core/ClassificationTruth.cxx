@@ -1,10 +1,10 @@
 // Whether critical points of sums of radial functions are found off the vertices of meshes, as
 // tables in Markdown; fails if one is lost, doubled or not as sharp as promised.
 //
-//   surface-scalars-classification-truth [reduced] [surfaces] [guesses]
+//   surface-scalars-classification-truth [reduced] [surfaces] [guesses] [meshes FOLDER]
 //
 // surfaces: meshes of known surfaces, finer and finer; guesses: Table 3 and Figs. 12 and 13 of the
-// design paper.
+// design paper; meshes: scans and models in OFF format.
 
 #include "CriticalScore.h"
 #include "MarkdownReport.h"
@@ -13,6 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
@@ -93,6 +96,24 @@ void reportSurfaces(MarkdownReport& report, bool isReduced)
       }
     }
   }
+}
+
+/// Through some values of a wave at random vertices of a mesh.
+Field waveThroughVertices(const Mesh& mesh)
+{
+  Random random(3);
+  const auto count = std::min<Eigen::Index>(300, mesh.vertices.cols());
+  Points centers(3, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    centers.col(i) = mesh.vertices.col(
+      static_cast<Eigen::Index>(random.uniform() * static_cast<double>(mesh.vertices.cols())));
+  }
+  const auto wave = [](const Vector3d& p)
+  { return std::sin(6.0 * p.x() + 1.0) * std::cos(5.0 * p.y()) + 0.5 * std::sin(7.0 * p.z()); };
+  FieldParameters parameters;
+  parameters.scheme = Scheme::GlobalRBF;
+  return Field::fit(centers, valuesOf(wave, centers), parameters);
 }
 
 /// A function on [-2, 2]^2 and how it is sampled and approximated.
@@ -247,7 +268,7 @@ void reportShares(MarkdownReport& report, bool isReduced)
       " samples: where searches for any critical point lead",
     { "function", "noise", "critical points of f", "of u", "largest distance", "converged",
       "to each", "left the square", "stalled", "elsewhere", "steps (mean, most)",
-      "from vertices, kept" });
+      "from vertices", "at most steps", "kept" });
   for (const PlanarCase& one : planarCases())
   {
     const Field u = approximate(one);
@@ -283,7 +304,8 @@ void reportShares(MarkdownReport& report, bool isReduced)
       std::to_string(exact.size()), number("%.1e", distance), ofAll(run.converged, run.count), hits,
       std::to_string(run.left), std::to_string(run.stalled), std::to_string(run.wrong),
       number("%.1f", run.stepSum / run.converged) + ", " + std::to_string(run.mostSteps),
-      ofAll(score.rightCount, score.exactCount) + ", " + report.kept(isKept) });
+      ofAll(score.rightCount, score.exactCount) + ", " + std::to_string(score.foundCount) + " found",
+      std::to_string(fromVertices.mostSteps()), report.kept(isKept) });
   }
 }
 
@@ -321,6 +343,50 @@ void reportIterations(const MarkdownReport& report)
   }
 }
 
+void reportMeshes(MarkdownReport& report, const std::string& folder)
+{
+  report.head("meshes of a folder, u from 300 values at vertices",
+    { "mesh", "vertices", "candidates", "refined", "merged", "vanished", "left inside",
+      "left on the boundary", "index sum", "Euler characteristic", "at most steps",
+      "gradient / scale", "kept" });
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    if (entry.path().extension() == ".off")
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  for (const std::filesystem::path& file : files)
+  {
+    try
+    {
+      const Mesh mesh = asMesh(readCentered(file));
+      const MeshTopology topology = topologyOf(mesh);
+      const Field u = waveThroughVertices(mesh);
+      const ModelRun run(mesh.vertices, topology, u);
+      const std::size_t refined = run.refined().size();
+      const auto onBoundary = std::count_if(run.result.points.begin(), run.result.points.end(),
+        [&](const ModelCriticalPoint& point)
+        { return !point.isRefined && topology.isBoundary(static_cast<Index>(point.origin)); });
+      const auto characteristic = static_cast<double>(topology.eulerCharacteristic());
+      const bool isKept = run.sum == characteristic && run.largestResidual() <= 1e-10;
+      report.row({ file.stem().string(), std::to_string(topology.vertexCount()),
+        std::to_string(run.candidates.points.size()), std::to_string(refined),
+        std::to_string(run.result.merged), std::to_string(run.result.vanished),
+        std::to_string(run.result.points.size() - refined - static_cast<std::size_t>(onBoundary)),
+        std::to_string(onBoundary), number("%g", run.sum), number("%g", characteristic),
+        std::to_string(run.mostSteps()), number("%.1e", run.largestResidual()),
+        report.kept(isKept) });
+    }
+    catch (const std::exception& error)
+    {
+      std::fprintf(stderr, "%s: %s\n", file.filename().c_str(), error.what());
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -339,6 +405,10 @@ int main(int argc, char** argv)
   {
     reportShares(report, isReduced);
     reportIterations(report);
+  }
+  if (has("meshes"))
+  {
+    reportMeshes(report, arguments.back());
   }
   return report.exitCode();
 }
