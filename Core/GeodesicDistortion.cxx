@@ -18,8 +18,8 @@ constexpr std::size_t IntervalsPerFront = 8; // which takes memory for all verti
 /// Where a value meets a triangle: on the two edges of the corner that is alone on its side.
 struct TriangleCrossing
 {
-  Index corner;
-  Index others[2];
+  Index corner = 0;
+  Index others[2] = { 0, 0 };
   Vector3d places[2]; ///< on the edges to these
 };
 

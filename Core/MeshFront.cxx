@@ -9,6 +9,7 @@ namespace
 {
 
 constexpr char MostTurns = 2;
+constexpr std::size_t MostPasses = 1 << 16; // between two polls
 
 } // namespace
 
@@ -78,6 +79,7 @@ void MeshFront::pass(Index vertex)
 
 void MeshFront::reach(const std::vector<Index>& targets, const Poll& poll)
 {
+  const std::size_t passes = std::min(targets.size() + 1, MostPasses);
   while (true)
   {
     poll();
@@ -88,7 +90,7 @@ void MeshFront::reach(const std::vector<Index>& targets, const Poll& poll)
     }
     // A way across an edge is shorter than the distances of its ends by less than its length.
     const double enough = farthest + this->longestEdge_;
-    for (std::size_t i = 0; i <= targets.size(); ++i)
+    for (std::size_t i = 0; i < passes; ++i)
     {
       Index vertex = 0;
       if (!this->front_.pass(vertex) || this->distance(vertex) > enough)
