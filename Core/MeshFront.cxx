@@ -19,16 +19,6 @@ MeshFront::MeshFront(const PointsRef& vertices, const MeshTopology& mesh)
   , front_(mesh.vertexCount())
   , turns_(mesh.vertexCount(), 0)
 {
-  const Triangles& triangles = mesh.triangles();
-  for (Eigen::Index i = 0; i < triangles.cols(); ++i)
-  {
-    for (const int corner : { 0, 1, 2 })
-    {
-      const Index a = triangles(corner, i);
-      const Index b = triangles((corner + 1) % 3, i);
-      this->longestEdge_ = std::max(this->longestEdge_, (vertices.col(a) - vertices.col(b)).norm());
-    }
-  }
 }
 
 void MeshFront::clear()
@@ -49,8 +39,9 @@ double MeshFront::across(const Vector3d& place, Index a, Index b) const
   const double length = edge.norm();
   const double nearest =
     std::min(first + (place - origin).norm(), second + (place - this->vertices_.col(b)).norm());
-  const double slope = (second - first) / length; // the sine of the angle at which the front comes
-  if (!(std::abs(slope) < 1.0))                   // nor is it a number where none has come
+  // The sine of the angle at which the front comes; not a number where none has come.
+  const double slope = (second - first) / length;
+  if (!(std::abs(slope) < 1.0))
   {
     return nearest;
   }
@@ -88,12 +79,10 @@ void MeshFront::reach(const std::vector<Index>& targets, const Poll& poll)
     {
       farthest = std::max(farthest, this->distance(target));
     }
-    // A way across an edge is shorter than the distances of its ends by less than its length.
-    const double enough = farthest + this->longestEdge_;
     for (std::size_t i = 0; i < passes; ++i)
     {
       Index vertex = 0;
-      if (!this->front_.pass(vertex) || this->distance(vertex) > enough)
+      if (!this->front_.pass(vertex) || this->distance(vertex) > farthest)
       {
         return;
       }

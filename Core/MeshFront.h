@@ -28,7 +28,7 @@ public:
   void clear();
   void offer(Index vertex, double distance) { this->front_.offer(vertex, distance); }
 
-  /// Goes on until the distances of these vertices do not change any more.
+  /// Goes on until all of these vertices have been passed.
   void reach(const std::vector<Index>& targets, const Poll& poll);
 
   double distance(Index vertex) const { return this->front_.distance(vertex); }
@@ -40,7 +40,6 @@ private:
 
   PointsRef vertices_;
   const MeshTopology& mesh_;
-  double longestEdge_ = 0.0;
   Front front_;
   std::vector<char> turns_; ///< how often each vertex was passed
 };
