@@ -16,6 +16,15 @@ namespace
 
 constexpr std::size_t Grain = 4096; // vertices per block of a parallel loop
 
+void reportNowAndThen(const Execution& execution, Eigen::Index done, Eigen::Index count)
+{
+  constexpr Eigen::Index step = 1 << 20;
+  if (done % step == 0)
+  {
+    execution.report(static_cast<double>(done) / static_cast<double>(count));
+  }
+}
+
 using Face = std::array<Index, 3>; ///< ascending
 
 /// What the tetrahedra around some vertices say, one vertex after the other.
@@ -114,8 +123,8 @@ VolumeTopology::VolumeTopology(
   , linkStarts_(std::size_t(vertexCount) + 1, 0)
   , isBoundary_(vertexCount, 0)
 {
-  this->checkTetrahedra(nameOf);
-  this->findStars(nameOf);
+  this->checkTetrahedra(execution.part(0.0, 0.1), nameOf);
+  this->findStars(execution.part(0.1, 0.2), nameOf);
   this->findLinks(execution.part(0.2, 0.8), nameOf);
   VertexComponents components =
     componentsOf(vertexCount, this->tetrahedra_, execution.part(0.8, 1.0));
@@ -123,7 +132,7 @@ VolumeTopology::VolumeTopology(
   this->componentCount_ = components.count;
 }
 
-void VolumeTopology::checkTetrahedra(const VertexName& nameOf) const
+void VolumeTopology::checkTetrahedra(const Execution& execution, const VertexName& nameOf) const
 {
   const Eigen::Index count = this->tetrahedra_.cols();
   require(count > 0, "tetrahedra", "none", "Choose a volume, or a filter for point sets.");
@@ -132,6 +141,7 @@ void VolumeTopology::checkTetrahedra(const VertexName& nameOf) const
     std::to_string(count), "Choose a smaller volume.");
   for (Eigen::Index t = 0; t < count; ++t)
   {
+    reportNowAndThen(execution, t, count);
     std::array<Index, 4> corners;
     std::copy_n(this->tetrahedra_.col(t).data(), corners.size(), corners.begin());
     std::sort(corners.begin(), corners.end());
@@ -150,7 +160,7 @@ void VolumeTopology::checkTetrahedra(const VertexName& nameOf) const
   }
 }
 
-void VolumeTopology::findStars(const VertexName& nameOf)
+void VolumeTopology::findStars(const Execution& execution, const VertexName& nameOf)
 {
   for (const Index corner : this->tetrahedra_.reshaped())
   {
@@ -172,6 +182,7 @@ void VolumeTopology::findStars(const VertexName& nameOf)
   this->stars_.resize(end);
   for (Index slot = 0; slot < end; ++slot)
   {
+    reportNowAndThen(execution, slot, end);
     this->stars_[this->starStarts_[this->tetrahedra_.data()[slot]]++] = slot / 4;
   }
   for (Index vertex = this->vertexCount(); vertex > 0; --vertex) // each start is where one ended

@@ -69,8 +69,8 @@ private:
     return { all.data() + starts[vertex], all.data() + starts[vertex + 1] };
   }
 
-  void checkTetrahedra(const VertexName& nameOf) const;
-  void findStars(const VertexName& nameOf);
+  void checkTetrahedra(const Execution& execution, const VertexName& nameOf) const;
+  void findStars(const Execution& execution, const VertexName& nameOf);
   void findLinks(const Execution& execution, const VertexName& nameOf);
 
   Tetrahedra tetrahedra_;

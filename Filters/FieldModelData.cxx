@@ -26,7 +26,8 @@ constexpr const char* VersionName = "ModelVersion";
 constexpr const char* ValueNameName = "ValueName";
 constexpr const char* CoefficientName = "Coefficient";
 constexpr const char* Remedy =
-  "Connect the output Model of RBF Extend, or a file of it saved with DataMode Binary.";
+  "Connect the output Model of RBF Extend or Meshless Approximation, or a file of it saved with "
+  "DataMode Binary.";
 
 /// Puts numbers into field data.
 class FieldWriter
