@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
 
 namespace SurfaceScalars::Truth
 {
@@ -357,11 +358,24 @@ VertexPairs pairsByMerging(const Glued& glued, std::vector<int> ranks, bool isRi
   return pairs;
 }
 
-// The pairs are those of components that meet on the volume glued to its mirror image; each ends
-// one component of its saddle, and persistence is what the pairs say.
+/// Cubes at random, which meet in vertices and edges, too.
+NamedVolume crumbs(unsigned seed)
+{
+  Random random(seed);
+  return { "crumbs " + std::to_string(seed),
+    cubesVolume({ 5, 5, 5 }, [&](const Cube&) { return random.uniform() < 0.4; }), 0, 0, false };
+}
+
+// The pairs are those of components that meet on the volume glued to its mirror image, a manifold
+// or not; each ends one component of its saddle, and persistence is what the pairs say.
 TEST(VolumeCriticalPoints, pairsAreThoseOfComponentsThatMeet)
 {
-  for (const NamedVolume& named : volumesOfAllKinds())
+  std::vector<NamedVolume> volumes = volumesOfAllKinds();
+  for (unsigned seed = 0; seed < 10; ++seed)
+  {
+    volumes.push_back(crumbs(seed));
+  }
+  for (const NamedVolume& named : volumes)
   {
     const VolumeTopology topology = topologyOf(named.volume);
     Glued glued(named.volume);
