@@ -146,6 +146,12 @@ void CenterSum::approximate(
   this->solve(values.array() - this->middle(), execution.part(1.0, 1.0));
 }
 
+Values CenterSum::leaveOneOutErrors(const CenterSet& centers, const Execution& execution)
+{
+  this->fit_.solve(centers.values.array() - this->middle());
+  return this->fit_.leaveOneOutErrors(execution);
+}
+
 Values CenterSum::sumsAt(const PointsRef& places, const Execution& execution) const
 {
   const Values sums =

@@ -51,6 +51,9 @@ public:
   void approximate(
     const CenterSet& centers, const PlacedValues& further, const Execution& execution);
 
+  /// By how much the sum through all other centers misses the value at each. After interpolate().
+  Values leaveOneOutErrors(const CenterSet& centers, const Execution& execution);
+
   Values at(const PointsRef& places, const Execution& execution) const;
   double condition() const { return 1.0 / this->fit_.reciprocalCondition(); }
   FieldModel model() const;

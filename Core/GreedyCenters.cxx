@@ -2,10 +2,12 @@
 
 #include "FarthestPoints.h"
 #include "MortonOrder.h"
-#include "PointTree.h"
+#include "SpreadCandidates.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace SurfaceScalars
 {
@@ -17,66 +19,30 @@ constexpr std::size_t PlacesPerCover = 20;  // among which they are found
 constexpr std::size_t PlacesPerCenter = 16; // that rounds look at
 constexpr std::size_t PlacesInTheEnd = 32;  // those missed most
 constexpr std::size_t FurtherPerCenter = 3;
-constexpr double Growth = 0.1; // of a round
-constexpr std::size_t FewestAdded = 8;
 constexpr double Separation = 1.1;     // of those of a round, in spacings of centers
 constexpr double SmallestShare = 0.01; // of that, from those before
 constexpr double Rounding = 1e-14;     // relative to the largest value
 
-/// Rounds cost the cube of the centers: many centers have fewer and larger ones.
-constexpr std::size_t Many = 2000;
-constexpr double GrowthOfMany = 0.2;
-constexpr double LastGrowth = 0.02; // of the last rounds, for which all vertices compete
-constexpr std::size_t LastRounds = 10;
-constexpr std::size_t LastRoundsOfMany = 2;
+// Rounds cost the cube of the centers: the more there are, the fewer and larger they are.
+constexpr double SmallestGrowth = 0.03;
+constexpr double LargestGrowth = 0.2;
+constexpr double GrowthPerCube = 1.0 / 9e10;
+constexpr double LastShare = 0.2; // of the centers, for which all vertices compete
+constexpr double MostExchanges = 20.0;
+constexpr double ExchangesTimesCube = 1.5e10;
+constexpr double ExchangedShare = 0.2; // of the growth
+constexpr double LargestLoss = 0.8;    // of the largest miss, that an exchanged center causes
 
-/// Vertices, the most wanted first, of which some are chosen.
-class SpreadCandidates
+std::size_t shareOf(double share, std::size_t all)
 {
-public:
-  SpreadCandidates(const Points& vertices, const std::vector<Index>& candidates)
-    : vertices_(vertices)
-    , candidates_(candidates)
-    , places_(columnsOf(vertices, candidates))
-    , tree_(this->places_)
-  {
-  }
+  return static_cast<std::size_t>(std::ceil(share * static_cast<double>(all)));
+}
 
-  /// Appends to `chosen` until it has `count`: no closer than `apart` to those from `first` on, and
-  /// than `apartFromOthers` to those before.
-  void choose(std::vector<Index>& chosen, std::size_t first, double apart, double apartFromOthers,
-    std::size_t count) const
-  {
-    std::vector<char> isTaken(this->candidates_.size(), 0);
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-    {
-      this->take(chosen[i], i < first ? apartFromOthers : apart, isTaken);
-    }
-    for (std::size_t i = 0; i < isTaken.size() && chosen.size() < count; ++i)
-    {
-      if (isTaken[i] == 0)
-      {
-        chosen.push_back(this->candidates_[i]);
-        this->take(chosen.back(), apart, isTaken);
-      }
-    }
-  }
-
-private:
-  void take(Index vertex, double radius, std::vector<char>& isTaken) const
-  {
-    std::vector<Index> near;
-    this->tree_.gather(this->vertices_.col(vertex), radius, isTaken.size(), near);
-    for (const Index candidate : near)
-    {
-      isTaken[candidate] = 1;
-    }
-  }
-
-  const Points& vertices_;
-  const std::vector<Index>& candidates_;
-  Points places_;
-  PointTree tree_;
+/// Where a sum misses f, most first.
+struct MissedPlaces
+{
+  std::vector<Index> vertices;
+  double largest = 0.0; ///< miss
 };
 
 class GreedySelection
@@ -95,6 +61,7 @@ public:
 
   void cover(const Execution& execution);
   void refine(CenterSum& sum, const Execution& execution);
+  void exchange(CenterSum& sum, const Execution& execution);
   CenterSet centers() const
   {
     return { columnsOf(this->vertices_, this->chosen_), entriesOf(this->values_, this->chosen_),
@@ -104,9 +71,10 @@ public:
 private:
   Execution part(const Execution& execution, std::size_t more) const;
   double spacing() const;
-  bool isMany() const { return this->count_ > Many; }
-  std::vector<Index> mostMissed(const std::vector<Index>& places, std::size_t most, CenterSum& sum,
+  double growth() const;
+  MissedPlaces mostMissed(const std::vector<Index>& places, std::size_t most, CenterSum& sum,
     const Execution& execution) const;
+  bool dropLeastUseful(double largestMiss, CenterSum& sum, const Execution& execution);
   bool add(const std::vector<Index>& candidates, std::size_t count);
 
   const Points& vertices_;
@@ -153,7 +121,7 @@ double GreedySelection::spacing() const
 }
 
 /// Of these places those where the sum through the centers misses f, at most so many, by how much.
-std::vector<Index> GreedySelection::mostMissed(const std::vector<Index>& places, std::size_t most,
+MissedPlaces GreedySelection::mostMissed(const std::vector<Index>& places, std::size_t most,
   CenterSum& sum, const Execution& execution) const
 {
   sum.interpolate(this->centers(), execution.part(0.0, 0.5));
@@ -161,7 +129,8 @@ std::vector<Index> GreedySelection::mostMissed(const std::vector<Index>& places,
     entriesOf(this->values_, places))
                           .cwiseAbs();
   const double rounding = Rounding * this->values_.lpNorm<Eigen::Infinity>();
-  std::vector<Index> order;
+  MissedPlaces result{ {}, misses.maxCoeff() };
+  std::vector<Index>& order = result.vertices;
   for (Index i = 0; i < places.size(); ++i)
   {
     if (misses[i] > rounding)
@@ -175,7 +144,7 @@ std::vector<Index> GreedySelection::mostMissed(const std::vector<Index>& places,
   std::partial_sort(order.begin(), end, order.end(), missesMore);
   order.erase(end, order.end());
   std::transform(order.begin(), order.end(), order.begin(), [&](Index i) { return places[i]; });
-  return order;
+  return result;
 }
 
 /// The first of the candidates, apart from each other. @returns whether there was one
@@ -191,36 +160,105 @@ bool GreedySelection::add(const std::vector<Index>& candidates, std::size_t coun
   return this->chosen_.size() > before;
 }
 
+/// Of a round.
+double GreedySelection::growth() const
+{
+  const double cube = std::pow(static_cast<double>(this->count_), 3.0);
+  return std::clamp(GrowthPerCube * cube, SmallestGrowth, LargestGrowth);
+}
+
 void GreedySelection::refine(CenterSum& sum, const Execution& execution)
 {
-  if (!(this->coverRadius_ > 0.0))
-  {
-    return; // every place is a center
-  }
-  const auto shareOf = [](double share, std::size_t all)
-  { return std::max(FewestAdded, static_cast<std::size_t>(share * static_cast<double>(all))); };
   const std::vector<Index> order = mortonOrder(this->vertices_, execution.part(0.0, 0.0));
-  const std::size_t lastGrowth = shareOf(LastGrowth, this->count_);
-  const std::size_t last = lastGrowth * (this->isMany() ? LastRoundsOfMany : LastRounds);
-  bool isMissed = true;
+  const double growth = this->growth();
+  const std::size_t last = shareOf(LastShare, this->count_);
+  bool isMissed = this->coverRadius_ > 0.0; // else every place is a center
   while (isMissed && this->chosen_.size() + last < this->count_)
   {
     const std::size_t size = this->chosen_.size();
-    const std::size_t most = shareOf(this->isMany() ? GrowthOfMany : Growth, size);
-    const std::size_t count = std::min(most, this->count_ - last - size);
+    const std::size_t count = std::min(shareOf(growth, size), this->count_ - last - size);
     const std::vector<Index> places = evenPart(order, PlacesPerCenter * size);
-    isMissed =
-      this->add(this->mostMissed(places, places.size(), sum, this->part(execution, count)), count);
+    isMissed = this->add(
+      this->mostMissed(places, places.size(), sum, this->part(execution, count)).vertices, count);
   }
   std::vector<Index> places = order;
-  isMissed = true;
+  isMissed = this->coverRadius_ > 0.0;
   while (isMissed && this->chosen_.size() < this->count_)
   {
-    const std::size_t count = std::min(lastGrowth, this->count_ - this->chosen_.size());
+    const std::size_t count =
+      std::min(shareOf(0.5 * growth, this->count_), this->count_ - this->chosen_.size());
     places =
-      this->mostMissed(places, PlacesInTheEnd * this->count_, sum, this->part(execution, count));
+      this->mostMissed(places, PlacesInTheEnd * this->count_, sum, this->part(execution, count))
+        .vertices;
     isMissed = this->add(places, count);
   }
+}
+
+/// Some centers without which u would miss f there by less than now elsewhere, apart from each
+/// other. After mostMissed(). @returns whether there is one
+bool GreedySelection::dropLeastUseful(
+  double largestMiss, CenterSum& sum, const Execution& execution)
+{
+  const Values losses = sum.leaveOneOutErrors(this->centers(), execution).cwiseAbs();
+  std::vector<Index> order;
+  for (std::size_t i = this->starCount_; i < this->chosen_.size(); ++i)
+  {
+    if (losses[static_cast<Eigen::Index>(i)] < LargestLoss * largestMiss)
+    {
+      order.push_back(static_cast<Index>(i));
+    }
+  }
+  std::sort(order.begin(), order.end(),
+    [&](Index a, Index b) { return losses[a] != losses[b] ? losses[a] < losses[b] : a < b; });
+  std::transform(
+    order.begin(), order.end(), order.begin(), [&](Index i) { return this->chosen_[i]; });
+  std::vector<Index> dropped;
+  SpreadCandidates(this->vertices_, order)
+    .choose(dropped, 0, 2.0 * this->spacing(), 0.0,
+      shareOf(ExchangedShare * this->growth(), this->chosen_.size() - this->starCount_));
+  std::sort(dropped.begin(), dropped.end());
+  const auto free = this->chosen_.begin() + static_cast<std::ptrdiff_t>(this->starCount_);
+  this->chosen_.erase(
+    std::remove_if(free, this->chosen_.end(),
+      [&](Index vertex) { return std::binary_search(dropped.begin(), dropped.end(), vertex); }),
+    this->chosen_.end());
+  return !dropped.empty();
+}
+
+/// Centers that matter least for vertices that are missed most, time and again; the best of all
+/// remains.
+void GreedySelection::exchange(CenterSum& sum, const Execution& execution)
+{
+  const std::size_t count = this->chosen_.size();
+  const double rounds = std::floor(
+    std::min(MostExchanges, ExchangesTimesCube / std::pow(static_cast<double>(count), 3.0)));
+  if (count == this->starCount_ || rounds < 1.0 || !(this->coverRadius_ > 0.0))
+  {
+    return;
+  }
+  std::vector<Index> places(static_cast<std::size_t>(this->values_.size()));
+  std::iota(places.begin(), places.end(), Index(0));
+  std::vector<Index> best;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (double round = 0.0; round <= rounds; round += 1.0)
+  {
+    const Execution ofRound =
+      execution.part(round / (rounds + 1.0), (round + 1.0) / (rounds + 1.0));
+    const MissedPlaces missed =
+      this->mostMissed(places, PlacesInTheEnd * count, sum, ofRound.part(0.0, 0.7));
+    if (missed.largest < smallest)
+    {
+      smallest = missed.largest;
+      best = this->chosen_;
+    }
+    places = missed.vertices;
+    if (places.empty() || !this->dropLeastUseful(missed.largest, sum, ofRound.part(0.7, 1.0)))
+    {
+      break;
+    }
+    this->add(places, count - this->chosen_.size());
+  }
+  this->chosen_ = best;
 }
 
 } // namespace
@@ -231,7 +269,8 @@ ChosenCenters greedyCenters(const Points& vertices, const ValuesRef& values,
 {
   GreedySelection selection(vertices, values, stars, count, dimension);
   selection.cover(execution.part(0.0, 0.1));
-  selection.refine(sum, execution.part(0.1, 1.0));
+  selection.refine(sum, execution.part(0.1, 0.7));
+  selection.exchange(sum, execution.part(0.7, 1.0));
   const std::vector<Index> further =
     evenSubset(vertices, FurtherPerCenter * (count - stars.size()), execution.part(1.0, 1.0));
   return { selection.centers(), { columnsOf(vertices, further), entriesOf(values, further) } };
