@@ -61,9 +61,9 @@ public:
   PairCollector(const Topology& mesh, const ValuesRef& values, std::vector<CriticalPoint> points)
     : mesh_(mesh)
     , values_(values)
-    , ended_(points.size(), 0)
+    , result_{ std::move(points), {} }
+    , ended_(this->result_.points.size(), 0)
   {
-    this->result_.points = std::move(points);
     this->result_.pairs.reserve(this->result_.points.size() / 2);
   }
 
@@ -111,8 +111,8 @@ public:
 private:
   const Topology& mesh_;
   const ValuesRef& values_;
-  std::vector<int> ended_; ///< in how many pairs each point is, with its image
   MeshCriticalPoints result_;
+  std::vector<int> ended_; ///< in how many pairs each point is, with its image
 };
 
 } // namespace SurfaceScalars

@@ -68,7 +68,7 @@ private:
     this->edges_.clear();
     for (const Index tetrahedron : this->volume_.star(vertex))
     {
-      std::array<Index, 3> places;
+      std::array<Index, 3> places{};
       std::size_t count = 0;
       for (const Index corner : this->volume_.tetrahedra().col(tetrahedron))
       {

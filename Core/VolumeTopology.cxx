@@ -64,7 +64,7 @@ public:
 private:
   void addTetrahedron(Index tetrahedron, Index vertex)
   {
-    std::array<Index, 3> others;
+    std::array<Index, 3> others{};
     std::copy_if(this->volume_.tetrahedra().col(tetrahedron).begin(),
       this->volume_.tetrahedra().col(tetrahedron).end(), others.begin(),
       [=](Index corner) { return corner != vertex; });
@@ -142,7 +142,7 @@ void VolumeTopology::checkTetrahedra(const Execution& execution, const VertexNam
   for (Eigen::Index t = 0; t < count; ++t)
   {
     reportNowAndThen(execution, t, count);
-    std::array<Index, 4> corners;
+    std::array<Index, 4> corners{};
     std::copy_n(this->tetrahedra_.col(t).data(), corners.size(), corners.begin());
     std::sort(corners.begin(), corners.end());
     require(corners[3] < this->vertexCount(),
