@@ -185,7 +185,7 @@ TEST(MeshlessApproximationInput, nothingToWorkOn)
 
 TEST(MeshlessApproximationInput, stops)
 {
-  const auto filter = approximation(slopeImage(16, 16, 16));
+  const auto filter = approximation(slopeImage(12, 12, 12));
   for (const double fraction : { 0.02, 0.3, 0.8 })
   {
     expectNothingWhenStopped(filter, fraction);
