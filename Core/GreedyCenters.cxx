@@ -29,7 +29,7 @@ constexpr double LargestGrowth = 0.2;
 constexpr double GrowthPerCube = 1.0 / 9e10;
 constexpr double LastShare = 0.2; // of the centers, for which all vertices compete
 constexpr double MostExchanges = 20.0;
-constexpr double ExchangesTimesCube = 1.5e10;
+constexpr double ExchangesTimesCube = 1e10;
 constexpr double ExchangedShare = 0.2; // of the growth
 constexpr double LargestLoss = 0.8;    // of the largest miss, that an exchanged center causes
 

@@ -171,7 +171,7 @@ TEST(MeshlessApproximation, interpolatesEverything)
 // and below a quarter of that of the paper's centers.
 TEST(MeshlessApproximation, approximatesBetterThanEvenCenters)
 {
-  const TriangleMesh mesh = torus(90);
+  const TriangleMesh mesh = torus(70);
   const Values values = waves(mesh.points, 4.0);
   double error = rangeOf(values);
   for (const double fraction : { 0.05, 0.1, 0.15 })
@@ -253,7 +253,7 @@ TEST(MeshlessApproximation, leastSquaresIsClosest)
 // critical points, for both ways to choose centers.
 TEST(MeshlessApproximation, leastSquaresSmooths)
 {
-  const TriangleMesh mesh = torus(100);
+  const TriangleMesh mesh = torus(70);
   const Values clean = waves(mesh.points, 2.0);
   Values values = clean;
   addNoise(values, 0.01 * rangeOf(clean), 1);

@@ -155,7 +155,7 @@ TEST(MeshlessApproximationInput, takesAllKindsOfMeshes)
 {
   for (const NamedMesh& one : meshesOfAllKinds())
   {
-    const TriangleMesh mesh = subdivided(subdivided(one.mesh));
+    const TriangleMesh mesh = subdivided(one.mesh);
     ApproximationParameters parameters;
     parameters.sampleFraction = 0.1;
     parameters.persistenceThreshold = 0.05;

@@ -42,6 +42,37 @@ Points moved(const Points& points)
   return (turn * points).colwise() + Vector3d(3.0, -2.0, 1.0);
 }
 
+// The gradient of a sum of coefficients and values of the polynomial, by the values at the centers:
+// the sum is linear in these. In space and in a plane, whose polynomials are fewer.
+TEST(RadialBasisFit, dependsOnValuesAsItsGradientSays)
+{
+  Points plane = Truth::randomBox(40, 2);
+  plane.row(2).setZero();
+  for (const Points& centers : { Truth::randomBox(40, 1), plane })
+  {
+    const Values values = centers.row(0).array().sin() + centers.row(1).array().square();
+    for (const KernelType kernel : { KernelType::Cubic, KernelType::Multiquadric })
+    {
+      for (const double regularization : { 0.0, 0.1 })
+      {
+        const RadialBasisFit fit = fitOf(centers, kernelOf(kernel), values, regularization);
+        const Points places = Truth::randomBox(7, 3);
+        const Values weights = places.row(0);
+        const Values kernels = centers.row(1);
+        const Values gradient =
+          fit.dependsOnValues(kernels, fit.terms().at(places).transpose() * weights);
+        double sum = kernels.dot(fit.coefficients());
+        for (Eigen::Index i = 0; i < places.cols(); ++i)
+        {
+          sum += weights[i] *
+            (fit.tail()[0] + fit.tail().tail<3>().dot(places.col(i) - fit.tailOrigin()));
+        }
+        EXPECT_NEAR(gradient.dot(values), sum, 1e-9 * (1.0 + std::abs(sum)));
+      }
+    }
+  }
+}
+
 // (8): the fit goes through the values, for every kernel, in space, in a plane, on a line and with
 // one to four centers.
 TEST(RadialBasisFit, interpolates)
