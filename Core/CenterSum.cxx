@@ -16,9 +16,10 @@ namespace
 
 constexpr double WidthReduction = 0.8; // of an automatic width that proves too large
 constexpr int MostReductions = 20;
-constexpr double LargestMiss = 1e-6;       // of an interpolant, of f's range
-constexpr double LargestAutomatic = 1e-10; // the same with a width that can be reduced
-constexpr double LeastSquaresGoal = 1e-10; // of values at centers
+constexpr double SmallestReciprocal = 1e-14; // of a condition with which misses are checked
+constexpr double LargestMiss = 1e-6;         // of an interpolant, of f's range
+constexpr double LargestAutomatic = 1e-10;   // the same with a width that can be reduced
+constexpr double LeastSquaresGoal = 1e-10;   // of values at centers
 
 } // namespace
 
@@ -53,8 +54,10 @@ double CenterSum::firstWidth(const CenterSet& centers, const Execution& executio
 /// @returns whether the system of the width can be solved
 bool CenterSum::tryWidth(const CenterSet& centers, const Execution& execution)
 {
-  if (!this->fit_.factor(
-        centers.places, this->kernel(), this->parameters_.regularization, execution.part(0.0, 0.9)))
+  const bool isRegular = this->fit_.factor(
+    centers.places, this->kernel(), this->parameters_.regularization, execution.part(0.0, 0.9));
+  // Of a kernel that knows no width, stars as small as the triangles of a large mesh make it worse.
+  if (!isRegular && (this->isReducible() || this->fit_.reciprocalCondition() < SmallestReciprocal))
   {
     return false;
   }

@@ -33,7 +33,7 @@ public:
    * values smooth. Relative to a phi of order 1, so without a unit: with the Linear kernel, whose
    * phi is a length, the kernel's width times this is added
    * @returns whether the system is positive definite; if not, nothing else may be called but
-   * reciprocalCondition()
+   * reciprocalCondition(), and, if that is above 0, solve() by who checks what comes of it
    * @throws Aborted
    */
   bool factor(const PointsRef& centers, const RadialKernel& kernel, double regularization,

@@ -228,7 +228,7 @@ void reportNoise(MarkdownReport& report, bool isReduced)
         number("%.2f", parameters.persistenceThreshold) + ": f has m, M, s = " +
         countsText(countsOf(domain.criticalPoints(noisy, {}).points)) + " without threshold",
       { "case", "m, M, s", "persistent of f", "kept", "error at vertices", "at stars",
-        "on level sets", "of f without noise", "all kept" });
+        "on level sets", "of f without noise, root mean square", "all kept" });
     FieldModel levelSets;
     for (const Way& way : ways)
     {
@@ -252,7 +252,8 @@ void reportNoise(MarkdownReport& report, bool isReduced)
         number("%.1e",
           largestMiss(result.model, samples, Field(levelSets).evaluate(samples, {}).values) /
             range),
-        number("%.1e", (result.values - clean).lpNorm<Eigen::Infinity>() / range),
+        number("%.1e",
+          (result.values - clean).norm() / std::sqrt(static_cast<double>(clean.size())) / range),
         report.kept(kept == all) });
     }
   }
