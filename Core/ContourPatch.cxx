@@ -9,13 +9,6 @@
 
 namespace SurfaceScalars
 {
-namespace
-{
-
-constexpr double SnapFraction = 1e-9; // of a triangle: a place that close to a side lies on it
-
-} // namespace
-
 ContourPatch::ContourPatch(
   const Points& meshVertices, const Triangles& mesh, const std::vector<Index>& triangles)
 {
@@ -61,117 +54,10 @@ void ContourPatch::pin(Index vertex)
   saddle.node = this->addNode(saddle.place);
 }
 
-/// Barycentric coordinates of the place's projection.
-Vector3d ContourPatch::weightsAt(const PatchPiece& piece, const Vector3d& place) const
+bool ContourPatch::hasSaddles() const
 {
-  const auto& [a, b, c] = piece.corners;
-  const Vector3d& origin = this->vertices[a].place;
-  Eigen::Matrix<double, 3, 2> sides;
-  sides << this->vertices[b].place - origin, this->vertices[c].place - origin;
-  const Vector2d weights = sides.colPivHouseholderQr().solve(place - origin);
-  return { 1.0 - weights.sum(), weights[0], weights[1] };
-}
-
-Index ContourPatch::insert(const PatchPlace& at)
-{
-  std::size_t index = 0;
-  Vector3d weights = Vector3d::Constant(-std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < this->pieces.size(); ++i)
-  {
-    if (this->pieces[i].triangle == at.triangle)
-    {
-      const Vector3d here = this->weightsAt(this->pieces[i], at.place);
-      if (here.minCoeff() > weights.minCoeff())
-      {
-        index = i;
-        weights = here;
-      }
-    }
-  }
-  const PatchPiece piece = this->pieces[index];
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    if (weights[static_cast<Eigen::Index>(i)] >= 1.0 - 2.0 * SnapFraction)
-    {
-      return piece.corners[i];
-    }
-  }
-  const Index added = this->addVertex(at.place);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    if (weights[static_cast<Eigen::Index>((i + 2) % 3)] <= SnapFraction)
-    {
-      this->edges[sideOf(piece, i)].midpoint = added;
-      this->cut();
-      return added;
-    }
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    PatchPiece part = piece;
-    part.corners = { piece.corners[i], piece.corners[(i + 1) % 3], added };
-    this->pieces.push_back(part);
-  }
-  this->pieces.erase(this->pieces.begin() + static_cast<std::ptrdiff_t>(index));
-  return added;
-}
-
-std::vector<std::vector<std::size_t>> ContourPatch::starsOf(const std::vector<Index>& centers) const
-{
-  std::unordered_map<Index, std::size_t> positions;
-  for (std::size_t i = 0; i < centers.size(); ++i)
-  {
-    positions.emplace(centers[i], i);
-  }
-  std::vector<std::vector<std::size_t>> stars(centers.size());
-  for (std::size_t i = 0; i < this->pieces.size(); ++i)
-  {
-    for (const Index corner : this->pieces[i].corners)
-    {
-      const auto found = positions.find(corner);
-      if (found != positions.end())
-      {
-        stars[found->second].push_back(i);
-      }
-    }
-  }
-  return stars;
-}
-
-std::vector<Index> ContourPatch::link(Index vertex, const std::vector<std::size_t>& star) const
-{
-  std::vector<std::array<Index, 2>> sides; // opposite to the vertex
-  for (const std::size_t i : star)
-  {
-    const std::array<Index, 3>& corners = this->pieces[i].corners;
-    const auto at =
-      static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-    sides.push_back({ corners[(at + 1) % 3], corners[(at + 2) % 3] });
-  }
-  std::vector<Index> path;
-  while (!sides.empty())
-  {
-    const auto next = path.empty()
-      ? sides.begin()
-      : std::find_if(sides.begin(), sides.end(),
-          [&](const auto& side) { return side[0] == path.back() || side[1] == path.back(); });
-    if (next == sides.end())
-    {
-      return {};
-    }
-    path.push_back(path.empty() || (*next)[0] == path.back() ? (*next)[1] : (*next)[0]);
-    if (path.size() == 1)
-    {
-      path.insert(path.begin(), (*next)[0]);
-    }
-    sides.erase(next);
-  }
-  if (path.size() < 4 || path.front() != path.back())
-  {
-    return {};
-  }
-  path.pop_back();
-  return path;
+  return std::any_of(this->vertices.begin(), this->vertices.end(),
+    [](const PatchVertex& vertex) { return vertex.node != PatchVertex::None; });
 }
 
 bool ContourPatch::isCrossed(EdgeKey key) const
@@ -219,6 +105,16 @@ Ball ContourPatch::ballAround(const PatchPiece& piece) const
   const auto& [a, b, c] = piece.corners;
   return SurfaceScalars::ballAround(
     this->vertices[a].place, this->vertices[b].place, this->vertices[c].place);
+}
+
+Vector3d ContourPatch::normal(const PatchPiece& piece) const
+{
+  const auto& [a, b, c] = piece.corners;
+  const Vector3d side = this->vertices[b].place - this->vertices[a].place;
+  const Vector3d other = this->vertices[c].place - this->vertices[a].place;
+  const Vector3d across = side.cross(other);
+  const double norm = across.norm();
+  return norm > 1e-12 * side.norm() * other.norm() ? Vector3d(across / norm) : Vector3d::Zero();
 }
 
 void ContourPatch::cut()

@@ -50,13 +50,6 @@ struct PatchSegment
   Index to;
 };
 
-/// A place on a triangle of the mesh.
-struct PatchPlace
-{
-  Index triangle;
-  Vector3d place;
-};
-
 /**
  * Pieces of triangles that meet edge to edge, and where a level set crosses their edges. An edge is
  * crossed if u < level at one end and u >= level at the other; at a saddle of the level, which is a
@@ -88,18 +81,12 @@ public:
   Index addNode(const Vector3d& place);
   /// Makes a vertex a saddle of the level: its height is 0.
   void pin(Index vertex);
-  /// Cuts the piece in which a place lies into three, or where it lies on a side,
-  /// the pieces beside that into two. @returns the vertex there
-  Index insert(const PatchPlace& at);
-  /// The vertices around an inner one, in cyclic order; empty if it is not an inner one with one
-  /// fan of pieces. @param star the pieces that have it as a corner
-  std::vector<Index> link(Index vertex, const std::vector<std::size_t>& star) const;
-  /// The pieces around each of these vertices.
-  std::vector<std::vector<std::size_t>> starsOf(const std::vector<Index>& vertices) const;
 
+  bool hasSaddles() const;
   bool isCrossed(EdgeKey key) const;
   std::optional<PatchSegment> segment(const PatchPiece& piece) const;
   Ball ballAround(const PatchPiece& piece) const;
+  Vector3d normal(const PatchPiece& piece) const; ///< unit; 0 for a piece without area
 
   /// Cuts all pieces at the edges that have midpoints, into two to four, edge to edge.
   void cut();
@@ -112,7 +99,6 @@ public:
   std::unordered_map<EdgeKey, PatchEdge> edges; ///< those that have a midpoint or were crossed
 
 private:
-  Vector3d weightsAt(const PatchPiece& piece, const Vector3d& place) const;
   void cut(const PatchPiece& piece, std::vector<PatchPiece>& result) const;
 };
 

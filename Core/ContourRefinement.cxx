@@ -20,22 +20,6 @@ constexpr double StageShare = 0.1; // of the work left
 
 } // namespace
 
-Vector3d alongPlane(const Vector3d& vector, const Vector3d& normal)
-{
-  return vector - vector.dot(normal) * normal;
-}
-
-Vector3d normalOf(const ContourPatch& patch, const PatchPiece& piece)
-{
-  const auto& [a, b, c] = piece.corners;
-  const Vector3d& origin = patch.vertices[a].place;
-  const Vector3d side = patch.vertices[b].place - origin;
-  const Vector3d other = patch.vertices[c].place - origin;
-  const Vector3d normal = side.cross(other);
-  const double norm = normal.norm();
-  return norm > 1e-12 * side.norm() * other.norm() ? Vector3d(normal / norm) : Vector3d::Zero();
-}
-
 ContourRefinement::ContourRefinement(ContourPatch& patch, LevelFunction& function,
   const LevelBound& bound, const RefinementLimits& limits, const Execution& execution)
   : patch_(patch)
@@ -139,7 +123,7 @@ void ContourRefinement::examine(PatchPiece& piece, LevelProbe& probe) const
     return;
   }
   const Ball ball = this->patch_.ballAround(piece);
-  const Vector3d normal = normalOf(this->patch_, piece);
+  const Vector3d normal = this->patch_.normal(piece);
   const PieceShape shape = this->shapeOf(piece, ball, normal, probe);
   const BallVerdict verdict = this->bound_.judge(ball, shape.value, shape.slope, shape.curvature);
   piece.deviation = this->deviation(piece, normal, shape, probe);

@@ -5,6 +5,12 @@
 namespace SurfaceScalars
 {
 
+/// The part of a vector along the plane of a unit normal; all of it if the normal is 0.
+inline Vector3d alongPlane(const Vector3d& vector, const Vector3d& normal)
+{
+  return vector - vector.dot(normal) * normal;
+}
+
 struct RefinementLimits
 {
   double tolerance; ///< of the distance between segments and the level set, length
@@ -59,11 +65,5 @@ private:
   std::size_t evaluated_ = 0; ///< vertices
   std::size_t undefinedCount_ = 0;
 };
-
-/// The part of a vector along the plane of a unit normal; all of it if the normal is 0.
-Vector3d alongPlane(const Vector3d& vector, const Vector3d& normal);
-
-/// Unit; 0 for a piece without area.
-Vector3d normalOf(const ContourPatch& patch, const PatchPiece& piece);
 
 } // namespace SurfaceScalars

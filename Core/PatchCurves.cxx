@@ -1,6 +1,6 @@
 #include "PatchCurves.h"
 
-#include "ContourRefinement.h"
+#include "PatchStars.h"
 #include "Polyline.h"
 #include "SaddleLoops.h"
 
@@ -65,7 +65,7 @@ CurveAssembly::CurveAssembly(const ContourPatch& patch)
     {
       this->incident_[segment->from].push_back(this->segments_.size());
       this->incident_[segment->to].push_back(this->segments_.size());
-      this->segments_.push_back({ *segment, normalOf(patch, piece) });
+      this->segments_.push_back({ *segment, patch.normal(piece) });
     }
   }
   for (const PatchVertex& vertex : patch.vertices)
@@ -148,10 +148,10 @@ std::vector<SaddleFan> CurveAssembly::fans()
     }
   }
   std::vector<SaddleFan> fans(saddles.size());
-  const std::vector<std::vector<std::size_t>> stars = this->patch_.starsOf(saddles);
+  const std::vector<PatchStar> stars = starsOf(this->patch_, saddles);
   for (std::size_t fan = 0; fan < saddles.size(); ++fan)
   {
-    const std::vector<Index> link = this->patch_.link(saddles[fan], stars[fan]);
+    const std::vector<Index> link = linkOf(this->patch_, saddles[fan], stars[fan]);
     const Index center = this->patch_.vertices[saddles[fan]].node;
     for (std::size_t i = 0; i < link.size(); ++i)
     {

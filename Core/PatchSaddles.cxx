@@ -1,7 +1,7 @@
 #include "PatchSaddles.h"
 
-#include "ContourRefinement.h"
 #include "EdgeRoot.h"
+#include "SaddleRing.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -22,11 +22,9 @@ constexpr int MostNewtonSteps = 60;       // a degenerate point is approached by
 constexpr double FarthestFromStart = 4.0; // radii of the piece
 constexpr double SamePlace = 1e-4;        // of the piece where a point was first looked for
 constexpr double ExpectedFraction = 0.1;  // of the change along an edge, to which it is foreseen
-constexpr int RingSize = 64;              // places, about
 constexpr double RingFraction = 0.02;     // of the distance to the nearest few centers
 constexpr int NearCenters = 4;
-constexpr double ClearFraction = 1e-3; // of the largest height on a ring
-constexpr double DentReach = 3.0;      // of the distance at which the level's branches are clear
+constexpr double DentReach = 3.0; // of the distance at which the level's branches are clear
 
 /// A place found, and the length that it was looked for on.
 struct Found
@@ -39,7 +37,7 @@ struct Found
 std::optional<Found> criticalPoint(
   const ContourPatch& patch, const PatchPiece& piece, double margin, LevelProbe& probe)
 {
-  const Vector3d normal = normalOf(patch, piece);
+  const Vector3d normal = patch.normal(piece);
   if (normal.isZero())
   {
     return {};
@@ -141,105 +139,6 @@ std::vector<PatchPlace> distinct(const std::vector<std::optional<Found>>& found)
   return result;
 }
 
-/// Where u - u(p) has one sign around a vertex p.
-struct Sector
-{
-  bool isAbove;
-  double height;   ///< the largest |u - u(p)|, by the squared distance from p
-  PatchPlace peak; ///< where that is, moved on to the link
-};
-
-/// The places around a vertex, evenly by angle.
-class Ring
-{
-public:
-  /// @param link of the center, in cyclic order @param star the pieces around it
-  Ring(const ContourPatch& patch, Index center, const std::vector<Index>& link,
-    const std::vector<std::size_t>& star);
-
-  /// In cyclic order, on a ring of at most this radius; places where the sign is not clear count
-  /// for none.
-  std::vector<Sector> sectors(double radius, double rounding, LevelProbe& probe) const;
-
-private:
-  Vector3d center_;
-  std::vector<PatchPlace> places_; ///< on the link
-};
-
-Ring::Ring(const ContourPatch& patch, Index center, const std::vector<Index>& link,
-  const std::vector<std::size_t>& star)
-  : center_(patch.vertices[center].place)
-{
-  for (std::size_t i = 0; i < link.size(); ++i)
-  {
-    const std::array<Index, 2> side{ link[i], link[(i + 1) % link.size()] };
-    const auto triangle = std::find_if(star.begin(), star.end(),
-      [&](std::size_t piece)
-      {
-        const std::array<Index, 3>& corners = patch.pieces[piece].corners;
-        return std::count(corners.begin(), corners.end(), side[0]) +
-          std::count(corners.begin(), corners.end(), side[1]) ==
-          2;
-      });
-    const Vector3d from = patch.vertices[side[0]].place - this->center_;
-    const Vector3d to = patch.vertices[side[1]].place - this->center_;
-    const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
-    const int parts = 2 + static_cast<int>(angle / (2.0 * Pi) * RingSize);
-    for (int part = 0; part < parts; ++part)
-    {
-      const double here = angle * part / parts;
-      const double before = from.norm() * std::sin(here);
-      const double after = to.norm() * std::sin(angle - here);
-      const double t = before / (before + after);
-      this->places_.push_back(
-        { patch.pieces[*triangle].triangle, this->center_ + (1.0 - t) * from + t * to });
-    }
-  }
-}
-
-std::vector<Sector> Ring::sectors(double radius, double rounding, LevelProbe& probe) const
-{
-  const double middle = probe(this->center_, Derivatives::None).value;
-  std::vector<double> heights;
-  double largest = 0.0;
-  for (const PatchPlace& onLink : this->places_)
-  {
-    const Vector3d offset = onLink.place - this->center_;
-    const double distance = std::min(0.5 * offset.norm(), radius);
-    const double difference =
-      probe(this->center_ + distance * offset.normalized(), Derivatives::None).value - middle;
-    heights.push_back(std::abs(difference) > rounding ? difference / (distance * distance) : 0.0);
-    largest = std::max(largest, std::abs(heights.back()));
-  }
-  std::vector<Sector> sectors;
-  for (std::size_t i = 0; i < heights.size(); ++i)
-  {
-    const double height = std::abs(heights[i]);
-    const bool isAbove = heights[i] > 0.0;
-    if (height <= ClearFraction * largest)
-    {
-      continue;
-    }
-    if (sectors.empty() || sectors.back().isAbove != isAbove)
-    {
-      sectors.push_back({ isAbove, height, this->places_[i] });
-    }
-    else if (height > sectors.back().height)
-    {
-      sectors.back() = { isAbove, height, this->places_[i] };
-    }
-  }
-  if (sectors.size() > 1 && sectors.front().isAbove == sectors.back().isAbove)
-  {
-    if (sectors.back().height > sectors.front().height)
-    {
-      sectors.front() = sectors.back();
-    }
-    sectors.pop_back();
-  }
-  return sectors;
-}
-
 /// A saddle with what makes its value the level's.
 struct PinnedSaddle
 {
@@ -248,11 +147,10 @@ struct PinnedSaddle
   Dent dent;
 };
 
-std::optional<PinnedSaddle> saddleAt(const ContourPatch& patch, Index vertex,
-  const std::vector<std::size_t>& star, const LevelBound& bound, const Field& field,
-  LevelProbe& probe)
+std::optional<PinnedSaddle> saddleAt(const ContourPatch& patch, Index vertex, const PatchStar& star,
+  const LevelBound& bound, const Field& field, LevelProbe& probe)
 {
-  const std::vector<Index> link = patch.link(vertex, star);
+  const std::vector<Index> link = linkOf(patch, vertex, star);
   if (link.empty())
   {
     return {};
@@ -262,7 +160,7 @@ std::optional<PinnedSaddle> saddleAt(const ContourPatch& patch, Index vertex,
   field.cloud().nearest(place, NearCenters, near);
   const double radius = RingFraction * std::sqrt(near.squaredDistances.back());
   PinnedSaddle saddle{ vertex,
-    Ring(patch, vertex, link, star).sectors(radius, bound.rounding(), probe), {} };
+    SaddleRing(patch, vertex, link, star).sectors(radius, bound.rounding(), probe), {} };
   if (saddle.sectors.size() < 4)
   {
     return {};
@@ -329,11 +227,11 @@ bool pinSaddles(const SaddleCandidates& candidates, ContourPatch& patch, LevelFu
   }
   for (const PatchPlace& candidate : candidates.places)
   {
-    vertices.push_back(patch.insert(candidate));
+    vertices.push_back(insertVertex(patch, candidate));
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const std::vector<std::vector<std::size_t>> stars = patch.starsOf(vertices);
+  const std::vector<PatchStar> stars = starsOf(patch, vertices);
   std::vector<std::optional<PinnedSaddle>> saddles(vertices.size());
   function.forEach(vertices.size(), execution,
     [&](std::size_t i, LevelProbe& probe)
@@ -353,7 +251,8 @@ bool pinSaddles(const SaddleCandidates& candidates, ContourPatch& patch, LevelFu
     }
     for (const Sector& sector : saddle->sectors)
     {
-      patch.insert(sector.peak); // so that the link has vertices on both sides of every branch
+      insertVertex(
+        patch, sector.peak); // so that the link has vertices on both sides of every branch
     }
   }
   return isAny;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ContourPatch.h"
+#include "LevelBound.h"
+#include "PatchStars.h"
 
 #include <vector>
 
