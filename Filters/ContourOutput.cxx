@@ -103,8 +103,7 @@ void writeCurveArrays(const LevelSets& sets, vtkCellData* data)
   data->AddArray(lengths);
 }
 
-/// How many curves each iso-value has, the evolution of the level sets; and what the automatic
-/// neighborhood size came to.
+/// How many curves each iso-value has: the evolution of the level sets.
 void writeEvolution(const LevelSets& sets, vtkFieldData* data)
 {
   const auto count = static_cast<vtkIdType>(sets.isoValues.size());
@@ -117,7 +116,6 @@ void writeEvolution(const LevelSets& sets, vtkFieldData* data)
   }
   data->AddArray(isoValues);
   data->AddArray(components);
-  data->AddArray(makeInt("NeighborCount", sets.neighborCount));
 }
 
 } // namespace

@@ -1,24 +1,26 @@
 #include "vtkPointSetContour.h"
 
 #include "ContourOutput.h"
-#include "Error.h"
+#include "ContourValueList.h"
 #include "FilterRun.h"
 #include "ImplicitFunction.h"
 #include "LevelSets.h"
 #include "ListProperty.h"
 #include "NeighborGraph.h"
+#include "OutputArrays.h"
 #include "PointSetInput.h"
 #include "PropertyChoice.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkPointSetContour);
 
@@ -31,21 +33,6 @@ using namespace SurfaceScalars;
 constexpr double ReadShare = 0.05;
 constexpr double GraphShare = 0.5;
 
-std::vector<double> isoValues(vtkPointSetContour& filter)
-{
-  std::vector<double> values;
-  for (int i = 0; i < filter.GetNumberOfContourValues(); ++i)
-  {
-    values.push_back(filter.GetContourValues(i));
-    if (!std::isfinite(values.back()))
-    {
-      throw InvalidInput("finite numbers as ContourValues",
-        std::to_string(values.back()) + " at index " + std::to_string(i), "Correct or remove it.");
-    }
-  }
-  return values;
-}
-
 ContourParameters parametersOf(vtkPointSetContour& filter)
 {
   checkChoice("Scheme", filter.GetScheme(), { 0, 1, 2, 3, 4 },
@@ -57,7 +44,7 @@ ContourParameters parametersOf(vtkPointSetContour& filter)
   checkChoice("Fit", filter.GetFit(), { 0, 1 }, "0 (Interpolate) or 1 (LeastSquares)");
 
   ContourParameters parameters;
-  parameters.isoValues = isoValues(filter);
+  parameters.isoValues = listOfContourValues(filter);
   parameters.scheme = static_cast<Scheme>(filter.GetScheme());
   parameters.surface = static_cast<SurfaceModel>(filter.GetSurfaceModel());
   parameters.volumeFunction = volumeFunctionOf(filter.GetCutFunction());
@@ -165,7 +152,9 @@ int vtkPointSetContour::RequestData(
       const LevelSets sets =
         traceLevelSets(graph, samples.values, parameters, execution.part(GraphShare, 1.0));
       const std::string valueName = isoValueName(run, samples.valueName);
-      writeContours(sets, valueName, vtkPolyData::GetData(outputs, 0));
+      vtkPolyData* contours = vtkPolyData::GetData(outputs, 0);
+      writeContours(sets, valueName, contours);
+      contours->GetFieldData()->AddArray(makeInt("NeighborCount", sets.neighborCount));
       writeSamples(sets, valueName, vtkPolyData::GetData(outputs, 1));
     });
 }

@@ -83,6 +83,12 @@ PROXIES = {
         "others": ["Input", "Target", "ResultArrayName"],
         "superclass": "vtkDataSetAlgorithm",
     },
+    "MeshlessContour": {
+        "ports": None,
+        "enumerations": {},
+        "defaults": {"Tolerance": 0.0, "MaximumRefinement": 8},
+        "others": ["Input", "Surface", "ContourValues"],
+    },
     "OsculatingParaboloid": {
         "ports": None,
         "enumerations": {"Scheme": FIELD_SCHEMES, "Kernel": KERNELS},
@@ -266,7 +272,8 @@ PROXIES = {
 def make(name):
     points, triangles = support.torus_mesh(24, 12)
     source = support.source(support.mesh(points, triangles, f=points[:, 2]))
-    inputs = {"Target": source} if name == "RBFEvaluate" else {}
+    further = {"RBFEvaluate": "Target", "MeshlessContour": "Surface"}
+    inputs = {further[name]: source} if name in further else {}
     return getattr(simple, name)(Input=source, **inputs)
 
 
