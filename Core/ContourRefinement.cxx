@@ -15,8 +15,9 @@ namespace
 {
 
 constexpr std::array<double, 3> Checks{ 0.5, 0.25, 0.75 }; // of a segment
-constexpr double FineFactor = 4.0; // how much larger a ball must be in which u is smooth
-constexpr double StageShare = 0.1; // of the work left
+constexpr double FineFactor = 4.0;          // how much larger a ball must be in which u is smooth
+constexpr std::size_t MostPieces = 2000000; // to be cut at once: a gigabyte
+constexpr double StageShare = 0.1;          // of the work left
 
 } // namespace
 
@@ -228,32 +229,34 @@ double ContourRefinement::deviation(
 
 bool ContourRefinement::cutUnsettled()
 {
-  std::size_t count = 0;
+  std::vector<const PatchPiece*> unsettled;
   for (const PatchPiece& piece : this->patch_.pieces)
   {
-    if (piece.isSettled || piece.depth >= this->limits_.maximumDepth)
+    if (!piece.isSettled && piece.depth < this->limits_.maximumDepth)
     {
-      continue;
+      unsettled.push_back(&piece);
     }
-    ++count;
+  }
+  if (unsettled.empty() || unsettled.size() > MostPieces)
+  {
+    return false;
+  }
+  for (const PatchPiece* piece : unsettled)
+  {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const ContourPatch::EdgeKey key = ContourPatch::sideOf(piece, i);
+      const ContourPatch::EdgeKey key = ContourPatch::sideOf(*piece, i);
       PatchEdge& edge = this->patch_.edges[key];
       if (edge.midpoint == PatchVertex::None)
       {
         const auto [a, b] = ContourPatch::endsOf(key);
-        const Vector3d middle =
-          0.5 * (this->patch_.vertices[a].place + this->patch_.vertices[b].place);
-        edge.midpoint = this->patch_.addVertex(middle);
+        edge.midpoint = this->patch_.addVertex(
+          0.5 * (this->patch_.vertices[a].place + this->patch_.vertices[b].place));
       }
     }
   }
-  if (count > 0)
-  {
-    this->patch_.cut();
-  }
-  return count > 0;
+  this->patch_.cut();
+  return true;
 }
 
 } // namespace SurfaceScalars

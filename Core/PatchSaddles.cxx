@@ -24,7 +24,8 @@ constexpr double SamePlace = 1e-4;        // of the piece where a point was firs
 constexpr double ExpectedFraction = 0.1;  // of the change along an edge, to which it is foreseen
 constexpr double RingFraction = 0.02;     // of the distance to the nearest few centers
 constexpr int NearCenters = 4;
-constexpr double DentReach = 3.0; // of the distance at which the level's branches are clear
+constexpr std::size_t FewestSectors = 4; // around a saddle
+constexpr double DentReach = 3.0;        // of the distance at which the level's branches are clear
 
 /// A place found, and the length that it was looked for on.
 struct Found
@@ -33,9 +34,17 @@ struct Found
   double scale;
 };
 
-/// A critical point of u in the plane of a piece, near it.
-std::optional<Found> criticalPoint(
-  const ContourPatch& patch, const PatchPiece& piece, double margin, LevelProbe& probe)
+/// Of a ring on which u is what its Taylor polynomial says.
+double ringRadius(const Field& field, const Vector3d& place)
+{
+  Neighborhood near;
+  field.cloud().nearest(place, NearCenters, near);
+  return RingFraction * std::sqrt(near.squaredDistances.back());
+}
+
+/// A saddle of u in the plane of a piece, near it.
+std::optional<Found> saddleInPlane(const ContourPatch& patch, const PatchPiece& piece,
+  const LevelBound& bound, const Field& field, LevelProbe& probe)
 {
   const Vector3d normal = patch.normal(piece);
   if (normal.isZero())
@@ -61,11 +70,11 @@ std::optional<Found> criticalPoint(
       return {};
     }
   }
-  if (!(std::abs(probe(place, Derivatives::None).value) <= margin))
-  {
-    return {};
-  }
-  return Found{ { piece.triangle, place }, ball.radius };
+  const double radius = ringRadius(field, place);
+  const bool isSaddle = std::abs(probe(place, Derivatives::None).value) <= bound.criticalMargin() &&
+    SaddleRing(place, axes, radius).sectors(radius, bound.rounding(), probe).size() >=
+      FewestSectors;
+  return isSaddle ? std::optional<Found>({ { piece.triangle, place }, ball.radius }) : std::nullopt;
 }
 
 /// An extremum of u along an edge between two triangles of the mesh.
@@ -156,12 +165,10 @@ std::optional<PinnedSaddle> saddleAt(const ContourPatch& patch, Index vertex, co
     return {};
   }
   const Vector3d& place = patch.vertices[vertex].place;
-  Neighborhood near;
-  field.cloud().nearest(place, NearCenters, near);
-  const double radius = RingFraction * std::sqrt(near.squaredDistances.back());
+  const double radius = ringRadius(field, place);
   PinnedSaddle saddle{ vertex,
     SaddleRing(patch, vertex, link, star).sectors(radius, bound.rounding(), probe), {} };
-  if (saddle.sectors.size() < 4)
+  if (saddle.sectors.size() < FewestSectors)
   {
     return {};
   }
@@ -197,9 +204,10 @@ SaddleCandidates saddleCandidates(const ContourPatch& patch, LevelFunction& func
   function.forEach(found.size(), execution,
     [&](std::size_t i, LevelProbe& probe)
     {
-      found[i] = i < pieces.size() ? criticalPoint(patch, *pieces[i], margin, probe)
-                                   : extremumOnEdge(patch, edges[i - pieces.size()].first,
-                                       edges[i - pieces.size()].second, margin, probe);
+      found[i] = i < pieces.size()
+        ? saddleInPlane(patch, *pieces[i], bound, function.field(), probe)
+        : extremumOnEdge(
+            patch, edges[i - pieces.size()].first, edges[i - pieces.size()].second, margin, probe);
     });
   SaddleCandidates result{ distinct(found), {} };
   for (const PatchVertex& vertex : patch.vertices)
@@ -227,7 +235,10 @@ bool pinSaddles(const SaddleCandidates& candidates, ContourPatch& patch, LevelFu
   }
   for (const PatchPlace& candidate : candidates.places)
   {
-    vertices.push_back(insertVertex(patch, candidate));
+    if (const std::optional<Index> vertex = insertVertex(patch, candidate))
+    {
+      vertices.push_back(*vertex);
+    }
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

@@ -27,7 +27,7 @@ Vector3d weightsAt(const ContourPatch& patch, const PatchPiece& piece, const Vec
 
 } // namespace
 
-Index insertVertex(ContourPatch& patch, const PatchPlace& at)
+std::optional<Index> insertVertex(ContourPatch& patch, const PatchPlace& at)
 {
   std::size_t index = 0;
   Vector3d weights = Vector3d::Constant(-std::numeric_limits<double>::infinity());
@@ -42,6 +42,10 @@ Index insertVertex(ContourPatch& patch, const PatchPlace& at)
         weights = here;
       }
     }
+  }
+  if (!(weights.minCoeff() >= -SnapFraction))
+  {
+    return {};
   }
   const PatchPiece piece = patch.pieces[index];
   for (std::size_t i = 0; i < 3; ++i)

@@ -3,6 +3,7 @@
 #include "ContourPatch.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace SurfaceScalars
@@ -16,8 +17,8 @@ struct PatchPlace
 };
 
 /// Cuts the piece in which a place lies into three, or where it lies on a side, the pieces beside
-/// that into two. @returns the vertex there
-Index insertVertex(ContourPatch& patch, const PatchPlace& at);
+/// that into two. @returns the vertex there; none if the place is not on the triangle
+std::optional<Index> insertVertex(ContourPatch& patch, const PatchPlace& at);
 
 /// Indices of the pieces around a vertex.
 using PatchStar = std::vector<std::size_t>;

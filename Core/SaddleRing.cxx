@@ -17,6 +17,18 @@ constexpr double ClearFraction = 1e-3; // of the largest height on a ring
 } // namespace
 
 SaddleRing::SaddleRing(
+  const Vector3d& center, const Eigen::Matrix<double, 3, 2>& axes, double radius)
+  : center_(center)
+{
+  for (int i = 0; i < RingSize; ++i)
+  {
+    const double angle = 2.0 * Pi * i / RingSize;
+    const Vector3d direction = axes * Vector2d(std::cos(angle), std::sin(angle));
+    this->places_.push_back({ 0, center + 2.0 * radius * direction });
+  }
+}
+
+SaddleRing::SaddleRing(
   const ContourPatch& patch, Index center, const std::vector<Index>& link, const PatchStar& star)
   : center_(patch.vertices[center].place)
 {

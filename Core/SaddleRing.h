@@ -8,19 +8,21 @@
 namespace SurfaceScalars
 {
 
-/// Where u - u(p) has one sign around a vertex p.
+/// Where u - u(p) has one sign around a place p.
 struct Sector
 {
   bool isAbove;
   double height;   ///< the largest |u - u(p)|, by the squared distance from p
-  PatchPlace peak; ///< where that is, moved on to the link
+  PatchPlace peak; ///< where that is, moved outwards on to the link
 };
 
-/// The places around a vertex, evenly by angle.
+/// The places around one, evenly by angle.
 class SaddleRing
 {
 public:
-  /// @param link of the center, in cyclic order @param star the pieces around it
+  /// In a plane, twice the radius away, of no triangle. @param axes of the plane, orthonormal
+  SaddleRing(const Vector3d& center, const Eigen::Matrix<double, 3, 2>& axes, double radius);
+  /// On the link of a vertex. @param link in cyclic order @param star the pieces around it
   SaddleRing(
     const ContourPatch& patch, Index center, const std::vector<Index>& link, const PatchStar& star);
 
@@ -30,7 +32,7 @@ public:
 
 private:
   Vector3d center_;
-  std::vector<PatchPlace> places_; ///< on the link
+  std::vector<PatchPlace> places_;
 };
 
 } // namespace SurfaceScalars

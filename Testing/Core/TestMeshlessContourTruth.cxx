@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace SurfaceScalars
@@ -85,15 +86,16 @@ TEST_P(MeshlessContourTruth, findsAllThatIsWiderThanTheFinestSubdivision)
       contoursOf(*model.field, model.mesh, { model.level }, 0.0, Refinement);
     const Mesh finest = subdivided(model.mesh, Refinement);
     const double edge = longestEdge(finest);
-    for (const Points& component :
+    for (const UniformComponent& component :
       uniformContour(finest, model.field->evaluate(finest.vertices, {}).values, model.level))
     {
-      const Vector3d extent = component.rowwise().maxCoeff() - component.rowwise().minCoeff();
-      for (Eigen::Index i = 0; i < component.cols() && extent.norm() > edge; ++i)
+      if (component.extent().norm() > edge)
       {
-        ASSERT_LE(distanceToCurves(component.col(i), contours.sets.curves), 0.5 * edge)
-          << "seed " << seed;
-        ++count;
+        for (const auto& [from, to] : component.segments)
+        {
+          ASSERT_LE(distanceToCurves(from, contours.sets.curves), 0.5 * edge) << "seed " << seed;
+          ++count;
+        }
       }
     }
     for (const LevelSetCurve& curve : contours.sets.curves)
@@ -105,6 +107,48 @@ TEST_P(MeshlessContourTruth, findsAllThatIsWiderThanTheFinestSubdivision)
     }
   }
   EXPECT_GT(count, 500);
+}
+
+// Curves are within the tolerance of the model's level set on the mesh, and the level set of them:
+// both Hausdorff distances, against marching through triangles whose edges are 128 times shorter.
+TEST_P(MeshlessContourTruth, staysWithinTheToleranceOfTheLevelSet)
+{
+  constexpr int Refinement = 7;
+  for (unsigned seed = 1; seed <= 4; ++seed)
+  {
+    const Model model = randomModel(3 * seed, GetParam());
+    const MeshlessContours contours = contoursOf(*model.field, model.mesh, { model.level }, 2e-3);
+    const Mesh finest = subdivided(model.mesh, Refinement);
+    std::vector<std::pair<Vector3d, Vector3d>> exact;
+    for (const UniformComponent& component :
+      uniformContour(finest, model.field->evaluate(finest.vertices, {}).values, model.level))
+    {
+      if (component.extent().norm() > longestEdge(finest))
+      {
+        for (const auto& [from, to] : component.segments)
+        {
+          ASSERT_LE(distanceToCurves(from, contours.sets.curves), 1.05 * contours.tolerance)
+            << "seed " << seed;
+          exact.emplace_back(from, to);
+        }
+      }
+    }
+    for (const LevelSetCurve& curve : contours.sets.curves)
+    {
+      const double off = largestDistance(curve,
+        [&](const Vector3d& place)
+        {
+          double least = std::numeric_limits<double>::infinity();
+          for (const auto& [from, to] : exact)
+          {
+            least = std::min(least, distanceToSegment(place, from, to));
+          }
+          return least;
+        });
+      EXPECT_TRUE(off <= 1.05 * contours.tolerance || curve.length < longestEdge(finest))
+        << "seed " << seed << ": " << off << " of " << contours.tolerance;
+    }
+  }
 }
 
 } // namespace

@@ -63,8 +63,27 @@ inline double longestEdge(const Mesh& mesh)
   return longest;
 }
 
-/// The crossings of each connected component, linear along edges.
-inline std::vector<Points> uniformContour(const Mesh& mesh, const Values& values, double level)
+/// A connected component of a level set: segments.
+struct UniformComponent
+{
+  std::vector<std::pair<Vector3d, Vector3d>> segments;
+
+  Vector3d extent() const
+  {
+    Vector3d low = this->segments.front().first;
+    Vector3d high = low;
+    for (const auto& [from, to] : this->segments)
+    {
+      low = low.cwiseMin(from).cwiseMin(to);
+      high = high.cwiseMax(from).cwiseMax(to);
+    }
+    return high - low;
+  }
+};
+
+/// By linear interpolation along the edges.
+inline std::vector<UniformComponent> uniformContour(
+  const Mesh& mesh, const Values& values, double level)
 {
   std::map<std::pair<Index, Index>, Index> crossings;
   std::vector<Vector3d> places;
@@ -103,16 +122,15 @@ inline std::vector<Points> uniformContour(const Mesh& mesh, const Values& values
       sets.attach(sets.find(a), sets.find(b));
     }
   }
-  std::map<Index, std::vector<Vector3d>> components;
-  for (Index i = 0; i < places.size(); ++i)
+  std::map<Index, UniformComponent> components;
+  for (const auto& [a, b] : links)
   {
-    components[sets.find(i)].push_back(places[i]);
+    components[sets.find(a)].segments.emplace_back(places[a], places[b]);
   }
-  std::vector<Points> result;
-  for (const auto& [root, members] : components)
+  std::vector<UniformComponent> result;
+  for (auto& [root, component] : components)
   {
-    result.emplace_back(Eigen::Map<const Points>(
-      members.front().data(), 3, static_cast<Eigen::Index>(members.size())));
+    result.push_back(std::move(component));
   }
   return result;
 }
