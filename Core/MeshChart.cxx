@@ -131,20 +131,24 @@ Index MeshChart::nearestVertex(const Vector3d& place) const
   }
 }
 
-bool MeshChart::covers(const Vector2d& st) const
+bool MeshChart::covers(const Vector3d& place) const
 {
-  if (!this->mesh_.isBoundary(this->vertex_))
+  const Index nearest = this->nearestVertex(place);
+  if (!this->mesh_.isBoundary(nearest))
   {
     return true;
   }
   // Whether the direction to the place is between those of two neighbors in a row.
-  const VertexRange path = this->mesh_.linkPath(this->vertex_);
+  const auto directionTo = [&](const Vector3d& p) -> Vector2d
+  { return this->fit_.flatten(p) - this->fit_.flatten(this->vertices_.col(nearest)); };
+  const Vector2d direction = directionTo(place);
+  const VertexRange path = this->mesh_.linkPath(nearest);
   for (const Index* corner = path.begin(); corner + 1 != path.end(); ++corner)
   {
-    const Vector2d one = this->fit_.flatten(this->vertices_.col(corner[0]));
-    const Vector2d other = this->fit_.flatten(this->vertices_.col(corner[1]));
+    const Vector2d one = directionTo(this->vertices_.col(corner[0]));
+    const Vector2d other = directionTo(this->vertices_.col(corner[1]));
     const double turn = cross(one, other);
-    if (cross(one, st) * turn >= 0.0 && cross(st, other) * turn >= 0.0)
+    if (cross(one, direction) * turn >= 0.0 && cross(direction, other) * turn >= 0.0)
     {
       return true;
     }

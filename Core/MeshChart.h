@@ -35,8 +35,8 @@ public:
   double spacing() const { return this->spacing_; }    ///< mean length of the edges at the vertex
   /// The vertex next to a place, going from neighbor to neighbor.
   Index nearestVertex(const Vector3d& place) const;
-  /// Whether a place, no vertex being nearer than this, is on the mesh and not beyond its boundary.
-  bool covers(const Vector2d& st) const;
+  /// Whether a place near the surface is not beyond the boundary of the mesh.
+  bool covers(const Vector3d& place) const;
 
 private:
   void gather(Index vertex, std::size_t count);

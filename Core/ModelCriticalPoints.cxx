@@ -49,7 +49,7 @@ public:
   CandidateSearch(const PointsRef& vertices, const MeshTopology& mesh, const Field& u, double scale)
     : vertices_(vertices)
     , mesh_(mesh)
-    , newton_(vertices, mesh, u, Tolerance * scale)
+    , newton_(vertices, mesh, u, { Tolerance * scale })
     , isConstant_(scale == 0.0)
   {
   }
@@ -64,22 +64,28 @@ public:
       return arrivals;
     }
     this->steps_ = 0;
-    this->add(vertex, candidate.type, poll, arrivals);
     const auto wanted = static_cast<std::size_t>(candidate.multiplicity);
-    for (const Index neighbor : this->mesh_.link(vertex))
+    const auto search = [&](Index start, ChartChoice charts)
     {
       if (arrivals.found.size() < wanted)
       {
-        this->add(neighbor, candidate.type, poll, arrivals);
+        this->add(start, candidate.type, charts, poll, arrivals);
       }
+    };
+    search(vertex, ChartChoice::Nearest);
+    search(vertex, ChartChoice::First);
+    for (const Index neighbor : this->mesh_.link(vertex))
+    {
+      search(neighbor, ChartChoice::Nearest);
     }
     return arrivals;
   }
 
 private:
-  void add(Index start, CriticalType type, const Poll& poll, Arrivals& arrivals)
+  void add(Index start, CriticalType type, ChartChoice charts, const Poll& poll, Arrivals& arrivals)
   {
-    const SurfaceSearch search = this->newton_.search(start, type, poll);
+    const SurfaceSearch search =
+      this->newton_.search(this->vertices_.col(start), start, type, charts, poll);
     this->steps_ += search.stepCount();
     const auto isKnown = [&](const Arrival& other) { return isSame(search, other.search); };
     if (search.isCritical && search.isOnMesh && typeOf(search.restricted.hessian) == type &&

@@ -34,17 +34,17 @@ SURFACESCALARSCORE_EXPORT double gradientScale(
 /**
  * The critical points of u off the vertices (design paper, sec. 5), from those of its values at the
  * vertices: on the smooth surface of MeshChart, to a tangential gradient of 1e-10 of
- * gradientScale() by SurfaceNewton.
+ * gradientScale() by SurfaceNewton, in at most 10 steps for each search.
  *
  * The critical vertices obey Euler's formula; so does what becomes of them. From each one of the
- * interior a point of its own type is searched for, where that fails also from its neighbors, and
- * from a saddle of multiplicity m, which u has m simple ones for, from all of these. Of several
- * that lead to one point the most persistent stands for it, or a critical vertex of the boundary
- * next to it. An extremum and a saddle which are a pair (MeshCriticalPoints::pairs) and neither of
- * which stands for a point were made by the triangles: both vanish, and the sum of the indices
- * stays. What is not explained so, and critical vertices of the boundary, remain vertices. A pair
- * of critical points of u closer to each other than the mesh is fine, of which the vertices show
- * nothing, is not searched for.
+ * interior a point of its own type is searched for, where that fails also on its own chart alone
+ * and from its neighbors; so too from a saddle of multiplicity m, which u has m simple ones for. Of
+ * several that lead to one point the most persistent stands for it, or a critical vertex of the
+ * boundary next to it. An extremum and a saddle which are a pair (MeshCriticalPoints::pairs) and
+ * neither of which stands for a point were made by the triangles: both vanish, and the sum of the
+ * indices stays. What is not explained so, and critical vertices of the boundary, remain vertices.
+ * A pair of critical points of u closer to each other than the mesh is fine, of which the vertices
+ * show nothing, is not searched for.
  *
  * Where u is constant, or has no second derivatives, vertices remain.
  *

@@ -12,7 +12,6 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr int MostSteps = 50;
 constexpr double GoodPrediction = 0.25; // errors of the gradient, in its predicted change
 constexpr double BadPrediction = 0.75;
 constexpr double SmallestTrust = 1e-10; // in radii: rounding
@@ -61,37 +60,33 @@ Vector2d signsFor(CriticalType type, const Vector2d& eigenvalues)
 
 } // namespace
 
-SurfaceNewton::SurfaceNewton(
-  const PointsRef& vertices, const MeshTopology& mesh, const Field& field, double tolerance)
+SurfaceNewton::SurfaceNewton(const PointsRef& vertices, const MeshTopology& mesh,
+  const Field& field, const SearchLimits& limits)
   : chart_(vertices, mesh)
   , field_(field)
   , vertices_(vertices)
-  , tolerance_(tolerance)
+  , limits_(limits)
   , approximation_(field.approximation())
 {
 }
 
-SurfaceSearch SurfaceNewton::search(Index start, CriticalType type, const Poll& poll)
-{
-  return this->search(this->vertices_.col(start), start, type, poll);
-}
-
 SurfaceSearch SurfaceNewton::search(
-  const Vector3d& place, Index start, CriticalType type, const Poll& poll)
+  const Vector3d& place, Index vertex, CriticalType type, ChartChoice charts, const Poll& poll)
 {
   SurfaceSearch result;
   result.place = place;
-  result.vertex = start;
+  result.vertex = vertex;
   this->entered_.clear();
   this->evaluations_ = 0;
   Point point;
-  if (!this->enter(start) || !this->evaluate(this->chart_.fit().flatten(place), point))
+  if (!this->enter(vertex) || !this->evaluate(this->chart_.fit().flatten(place), point))
   {
     return result;
   }
   this->trust_ = this->chart_.spacing();
   result.residuals.push_back(point.residual);
-  for (int i = 0; this->follow(point) && point.residual > this->tolerance_ && i < MostSteps; ++i)
+  while (this->follow(point, charts) && point.residual > this->limits_.tolerance &&
+    result.stepCount() < this->limits_.mostSteps)
   {
     if (poll)
     {
@@ -106,11 +101,11 @@ SurfaceSearch SurfaceNewton::search(
   result.residuals.back() = point.residual; // in the last chart
   result.evaluations = this->evaluations_;
   result.place = this->chart_.fit().lift(point.st);
-  result.vertex = this->chart_.vertex();
+  result.vertex = this->chart_.nearestVertex(result.place);
   result.restricted = point.g;
   result.spacing = this->chart_.spacing();
-  result.isCritical = point.residual <= this->tolerance_;
-  result.isOnMesh = point.st.norm() <= this->chart_.radius() && this->chart_.covers(point.st);
+  result.isCritical = point.residual <= this->limits_.tolerance;
+  result.isOnMesh = point.st.norm() <= this->chart_.radius() && this->chart_.covers(result.place);
   return result;
 }
 
@@ -143,9 +138,13 @@ bool SurfaceNewton::evaluate(const Vector2d& st, Point& point)
   return std::isfinite(point.residual) && point.g.hessian.allFinite();
 }
 
-/// Enters the chart of the vertex next to the point.
-bool SurfaceNewton::follow(Point& point)
+/// Enters the chart of the vertex next to the point. @returns whether the search can go on
+bool SurfaceNewton::follow(Point& point, ChartChoice charts)
 {
+  if (charts == ChartChoice::First)
+  {
+    return point.st.norm() <= this->chart_.radius();
+  }
   const Vector3d place = this->chart_.fit().lift(point.st);
   const Index nearest = this->chart_.nearestVertex(place);
   if (nearest == this->chart_.vertex() ||

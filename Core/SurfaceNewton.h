@@ -27,11 +27,25 @@ struct SurfaceSearch
   int stepCount() const { return std::max(0, static_cast<int>(this->residuals.size()) - 1); }
 };
 
+/// On which charts a search is.
+enum class ChartChoice
+{
+  Nearest, ///< that of the nearest vertex, each at most once
+  First    ///< that of the start only, within its radius
+};
+
+struct SearchLimits
+{
+  double tolerance; ///< of the tangential gradient
+  int mostSteps = 10;
+};
+
 /**
  * A trust-region Newton method for critical points of a function u of space restricted to the
  * smooth surface that a mesh samples (design paper, sec. 5). Steps are taken in the chart of the
  * vertex at which the search is; where another vertex is nearer than that, its chart is entered,
  * each at most once: a surface that changed with every step would not let Newton's method converge.
+ * Where charts of neighbors contradict each other, a single one may still have a critical point.
  *
  * In the axes of the Hessian H_g, with gradient g_i and eigenvalues l_i, a step is
  * -sign_i g_i / (|l_i| + mu), mu >= 0 such that it is not longer than the trust region. Near a
@@ -45,15 +59,14 @@ struct SurfaceSearch
 class SURFACESCALARSCORE_EXPORT SurfaceNewton
 {
 public:
-  /// @param vertices of the mesh @param tolerance of the tangential gradient; all must outlive this
-  SurfaceNewton(
-    const PointsRef& vertices, const MeshTopology& mesh, const Field& field, double tolerance);
+  /// @param vertices of the mesh; it, they and the field must outlive this
+  SurfaceNewton(const PointsRef& vertices, const MeshTopology& mesh, const Field& field,
+    const SearchLimits& limits);
 
-  /// @param start a vertex @param type Minimum, Saddle, Maximum, or Uncertain for any
-  SurfaceSearch search(Index start, CriticalType type, const Poll& poll = {});
-  /// The same from a place next to that vertex.
-  SurfaceSearch search(
-    const Vector3d& place, Index start, CriticalType type, const Poll& poll = {});
+  /// @param place next to the vertex
+  /// @param type Minimum, Saddle, Maximum, or Uncertain for any
+  SurfaceSearch search(const Vector3d& place, Index vertex, CriticalType type,
+    ChartChoice charts = ChartChoice::Nearest, const Poll& poll = {});
 
   /// The norm of the tangential gradient at a vertex; -1 where u has no derivatives.
   double residualAt(Index vertex);
@@ -68,14 +81,14 @@ private:
 
   bool enter(Index vertex);
   bool evaluate(const Vector2d& st, Point& point);
-  bool follow(Point& point);
+  bool follow(Point& point, ChartChoice charts);
   bool step(Point& point, CriticalType type);
   bool isBetter(const Point& before, const Point& after, const Vector2d& step, CriticalType type);
 
   MeshChart chart_;
   const Field& field_;
   PointsRef vertices_;
-  double tolerance_;
+  SearchLimits limits_;
   std::unique_ptr<FieldApproximation> approximation_;
   std::vector<Index> entered_; ///< vertices whose charts were
   double trust_ = 0.0;         ///< length of the longest step

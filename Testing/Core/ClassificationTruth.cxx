@@ -257,7 +257,8 @@ std::vector<Guess> randomGuesses(const Mesh& mesh, int count)
   return guesses;
 }
 
-constexpr int SquareSize = 40; // edges along a side
+constexpr int SquareSize = 40;     // edges along a side
+constexpr int MostGuessSteps = 50; // from places far from any critical point
 
 void reportShares(MarkdownReport& report, bool isReduced)
 {
@@ -267,8 +268,8 @@ void reportShares(MarkdownReport& report, bool isReduced)
   report.head("random guesses in [-2, 2]^2, u from " + std::to_string(PlanarSamples) +
       " samples: where searches for any critical point lead",
     { "function", "noise", "critical points of f", "of u", "largest distance", "converged",
-      "to each", "left the square", "stalled", "elsewhere", "steps (mean, most)",
-      "from vertices", "at most steps", "kept" });
+      "to each", "left the square", "stalled", "elsewhere", "steps (mean, most)", "from vertices",
+      "at most steps", "kept" });
   for (const PlanarCase& one : planarCases())
   {
     const Field u = approximate(one);
@@ -282,7 +283,7 @@ void reportShares(MarkdownReport& report, bool isReduced)
     }
     const Values values = u.evaluate(mesh.vertices, {}).values;
     const double scale = gradientScale(mesh.vertices, mesh.triangles, values);
-    SurfaceNewton newton(mesh.vertices, topology, u, 1e-10 * scale);
+    SurfaceNewton newton(mesh.vertices, topology, u, { 1e-10 * scale, MostGuessSteps });
     GuessRun run;
     for (const Guess& guess : guesses)
     {
@@ -304,7 +305,8 @@ void reportShares(MarkdownReport& report, bool isReduced)
       std::to_string(exact.size()), number("%.1e", distance), ofAll(run.converged, run.count), hits,
       std::to_string(run.left), std::to_string(run.stalled), std::to_string(run.wrong),
       number("%.1f", run.stepSum / run.converged) + ", " + std::to_string(run.mostSteps),
-      ofAll(score.rightCount, score.exactCount) + ", " + std::to_string(score.foundCount) + " found",
+      ofAll(score.rightCount, score.exactCount) + ", " + std::to_string(score.foundCount) +
+        " found",
       std::to_string(fromVertices.mostSteps()), report.kept(isKept) });
   }
 }
@@ -317,7 +319,7 @@ void reportIterations(const MarkdownReport& report)
   for (const double noise : { 0.0, 0.01 })
   {
     const Field u = approximate({ "", peaks, noise });
-    SurfaceNewton newton(mesh.vertices, topology, u, 0.0);
+    SurfaceNewton newton(mesh.vertices, topology, u, { 0.0, MostGuessSteps });
     report.head("peaks, noise " + number("%g", noise) + ": norms of the gradient step by step",
       { "guess", "place", "evaluations", "gradient" });
     int shown = 0;
@@ -347,7 +349,7 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
 {
   report.head("meshes of a folder, u from 300 values at vertices",
     { "mesh", "vertices", "candidates", "refined", "merged", "vanished", "left inside",
-      "left on the boundary", "index sum", "Euler characteristic", "at most steps",
+      "left on the boundary", "index sum", "Euler characteristic", "within 10 steps",
       "gradient / scale", "kept" });
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -377,8 +379,8 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
         std::to_string(run.result.merged), std::to_string(run.result.vanished),
         std::to_string(run.result.points.size() - refined - static_cast<std::size_t>(onBoundary)),
         std::to_string(onBoundary), number("%g", run.sum), number("%g", characteristic),
-        std::to_string(run.mostSteps()), number("%.1e", run.largestResidual()),
-        report.kept(isKept) });
+        ofAll(run.countWithin(10), static_cast<int>(refined)),
+        number("%.1e", run.largestResidual()), report.kept(isKept) });
     }
     catch (const std::exception& error)
     {

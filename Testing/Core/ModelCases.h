@@ -138,6 +138,13 @@ struct ModelRun
     }
     return most;
   }
+  /// The refined points that no more steps than that led to.
+  int countWithin(int steps) const
+  {
+    return static_cast<int>(std::count_if(this->result.points.begin(), this->result.points.end(),
+      [=](const ModelCriticalPoint& point)
+      { return point.isRefined && point.iterations <= steps; }));
+  }
   /// Of the refined points, in the scale of the gradient.
   double largestResidual() const
   {
