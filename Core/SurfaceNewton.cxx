@@ -85,7 +85,8 @@ SurfaceSearch SurfaceNewton::search(
   }
   this->trust_ = this->chart_.spacing();
   result.residuals.push_back(point.residual);
-  while (this->follow(point, charts) && point.residual > this->limits_.tolerance &&
+  bool isThere = false;
+  while ((isThere = this->follow(point, charts)) && point.residual > this->limits_.tolerance &&
     result.stepCount() < this->limits_.mostSteps)
   {
     if (poll)
@@ -98,8 +99,12 @@ SurfaceSearch SurfaceNewton::search(
     }
     result.residuals.push_back(point.residual);
   }
-  result.residuals.back() = point.residual; // in the last chart
   result.evaluations = this->evaluations_;
+  if (!isThere)
+  {
+    return result;
+  }
+  result.residuals.back() = point.residual; // in the last chart
   result.place = this->chart_.fit().lift(point.st);
   result.vertex = this->chart_.nearestVertex(result.place);
   result.restricted = point.g;

@@ -17,7 +17,7 @@ struct SurfaceSearch
 {
   Vector3d place = Vector3d::Zero(); ///< on the smooth surface, in the caller's coordinates
   Index vertex = 0;                  ///< the nearest of the mesh
-  LocalFit::Jet restricted;          ///< of u there, in the chart of that vertex
+  LocalFit::Jet restricted;          ///< of u there, in the last chart
   double spacing = 0.0;              ///< of the mesh there
   std::vector<double> residuals; ///< norm of the tangential gradient, at first and after each step
   int evaluations = 0;           ///< of u with its derivatives
