@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 namespace SurfaceScalars
@@ -11,7 +12,7 @@ namespace
 {
 
 constexpr int LowestDegree = 2;
-constexpr double VerticesPerTerm[] = { 1.6, 3.2 };
+constexpr double VerticesPerTerm[] = { 1.6, 3.2 }; // the second for noise
 
 double cross(const Vector2d& a, const Vector2d& b)
 {
@@ -30,7 +31,7 @@ MeshChart::MeshChart(const PointsRef& vertices, const MeshTopology& mesh)
 void MeshChart::gather(Index vertex, std::size_t count)
 {
   this->gathered_.assign(1, vertex);
-  std::vector<Index> known{ vertex }; // sorted
+  std::unordered_set<Index> known{ vertex };
   std::size_t ringBegin = 0;
   for (bool isLast = false; ringBegin < this->gathered_.size();)
   {
@@ -39,10 +40,8 @@ void MeshChart::gather(Index vertex, std::size_t count)
     {
       for (const Index neighbor : this->mesh_.link(this->gathered_[ringBegin]))
       {
-        const auto at = std::lower_bound(known.begin(), known.end(), neighbor);
-        if (at == known.end() || *at != neighbor)
+        if (known.insert(neighbor).second)
         {
-          known.insert(at, neighbor);
           this->gathered_.push_back(neighbor);
         }
       }

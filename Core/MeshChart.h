@@ -12,8 +12,9 @@ namespace SurfaceScalars
 /**
  * The smooth surface that a mesh samples, around one of its vertices: a polynomial height over the
  * tangent plane, fitted to the vertices around with the weights (1 - r^2 / radius^2)^2. It need not
- * go through them. Of the degrees 2 to 4, each with three times as many vertices as unknowns, the
- * one that leaves the least deviation per radius: 4 on smooth surfaces, 2 where these bend much
+ * go through them. Of the degrees 2 to 4, with 1.6 and 3.2 times as many vertices as unknowns, it
+ * is the fit whose slope is most certain, deviation / (radius sqrt(count)): of degree 4 with few
+ * vertices on smooth surfaces, with many where these are noisy, of degree 2 where they bend much
  * within a few triangles. Vertices are gathered along the edges, so that a thin plate has two
  * sides; a planar mesh is its own chart.
  *
