@@ -1,10 +1,9 @@
 #include "ModelCriticalPoints.h"
 
+#include "CandidateSearch.h"
 #include "Places.h"
 #include "PointTree.h"
 #include "Require.h"
-#include "SurfaceNewton.h"
-#include "SurfaceRestriction.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -22,86 +21,6 @@ namespace
 
 constexpr double Tolerance = 1e-10; // of the tangential gradient, in its scale
 constexpr double Rounding = 1e-12;  // of values, in their size: less is constant
-constexpr double SamePlace = 0.1;   // of two points, in spacings of the mesh
-
-struct Arrival
-{
-  SurfaceSearch search;
-  int steps; ///< of this search and those in vain before it
-};
-
-/// Where the searches from one candidate lead: to points of its type.
-struct Arrivals
-{
-  std::vector<Arrival> found; ///< different ones
-  double residual = 0.0;      ///< at the candidate itself
-};
-
-bool isSame(const SurfaceSearch& one, const SurfaceSearch& other)
-{
-  return (one.place - other.place).norm() <= SamePlace * std::max(one.spacing, other.spacing);
-}
-
-/// Searches from candidates.
-class CandidateSearch
-{
-public:
-  CandidateSearch(const PointsRef& vertices, const MeshTopology& mesh, const Field& u, double scale)
-    : vertices_(vertices)
-    , mesh_(mesh)
-    , newton_(vertices, mesh, u, { Tolerance * scale })
-    , isConstant_(scale == 0.0)
-  {
-  }
-
-  Arrivals from(const CriticalPoint& candidate, const Poll& poll)
-  {
-    const auto vertex = static_cast<Index>(candidate.input);
-    Arrivals arrivals;
-    arrivals.residual = this->newton_.residualAt(vertex);
-    if (this->mesh_.isBoundary(vertex) || this->isConstant_)
-    {
-      return arrivals;
-    }
-    this->steps_ = 0;
-    const auto wanted = static_cast<std::size_t>(candidate.multiplicity);
-    const auto search = [&](Index start, ChartChoice charts)
-    {
-      if (arrivals.found.size() < wanted)
-      {
-        this->add(start, candidate.type, charts, poll, arrivals);
-      }
-    };
-    search(vertex, ChartChoice::Nearest);
-    search(vertex, ChartChoice::First);
-    for (const Index neighbor : this->mesh_.link(vertex))
-    {
-      search(neighbor, ChartChoice::Nearest);
-    }
-    return arrivals;
-  }
-
-private:
-  void add(Index start, CriticalType type, ChartChoice charts, const Poll& poll, Arrivals& arrivals)
-  {
-    const SurfaceSearch search =
-      this->newton_.search(this->vertices_.col(start), start, type, charts, poll);
-    this->steps_ += search.stepCount();
-    const auto isKnown = [&](const Arrival& other) { return isSame(search, other.search); };
-    if (search.isCritical && search.isOnMesh && typeOf(search.restricted.hessian) == type &&
-      std::none_of(arrivals.found.begin(), arrivals.found.end(), isKnown))
-    {
-      arrivals.found.push_back({ search, this->steps_ });
-      this->steps_ = 0;
-    }
-  }
-
-  PointsRef vertices_;
-  const MeshTopology& mesh_;
-  SurfaceNewton newton_;
-  bool isConstant_;
-  int steps_ = 0; ///< since something was found
-};
 
 /// Tells which arrivals stand for points of u, and what becomes of the other candidates.
 class Settlement
@@ -137,7 +56,7 @@ public:
     {
       const Claim& claim = claims[i];
       const CriticalType type = this->candidates_.points[claim.candidate].type;
-      tree.within(claim.arrival->search.place, SamePlace * claim.arrival->search.spacing, near);
+      tree.within(claim.arrival->search.place, reachOf(claim.arrival->search), near);
       const auto isTaken = [&](Index other) {
         return isSettled[other] != 0 &&
           this->candidates_.points[claims[other].candidate].type == type;
@@ -248,19 +167,6 @@ private:
   std::vector<int> left_; ///< of the multiplicity of each candidate, what stands for no point yet
 };
 
-std::vector<Arrivals> searchFromAll(const PointsRef& vertices, const MeshTopology& mesh,
-  const Field& u, const MeshCriticalPoints& candidates, double scale, const Execution& execution)
-{
-  std::vector<Arrivals> arrivals(candidates.points.size());
-  parallelForEach(candidates.points.size(), execution,
-    [&](std::size_t i, const Poll& poll)
-    {
-      const CriticalPoint& candidate = candidates.points[i];
-      arrivals[i] = CandidateSearch(vertices, mesh, u, scale).from(candidate, poll);
-    });
-  return arrivals;
-}
-
 } // namespace
 
 double gradientScale(const PointsRef& vertices, const Triangles& triangles, const ValuesRef& values)
@@ -299,8 +205,8 @@ ModelCriticalPoints refineOnModel(const PointsRef& vertices, const MeshTopology&
     "Choose those of the mesh.");
   ModelCriticalPoints result;
   result.gradientScale = gradientScale(vertices, mesh.triangles(), values);
-  const std::vector<Arrivals> arrivals =
-    searchFromAll(vertices, mesh, u, candidates, result.gradientScale, execution);
+  const std::vector<Arrivals> arrivals = searchFromAll(
+    vertices, mesh, u, candidates.points, Tolerance * result.gradientScale, execution);
   Settlement settlement(mesh, candidates, arrivals);
   settlement.settle(result);
   settlement.cancel(result);

@@ -76,7 +76,7 @@ private:
   {
     Vector2d st;
     LocalFit::Jet g;
-    double residual;
+    double residual = 0.0;
   };
 
   bool enter(Index vertex);

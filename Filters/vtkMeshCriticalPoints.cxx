@@ -129,7 +129,7 @@ Found findCriticalPoints(vtkMeshCriticalPoints& filter, const MeshInput& mesh,
 /// @returns the array's name
 std::string writeValues(const FilterRun& run, const MeshInput& mesh, vtkPolyData* output)
 {
-  const std::string name = freeName(run, mesh.valueName, { "CriticalType", "Multiplicity" });
+  std::string name = freeName(run, mesh.valueName, { "CriticalType", "Multiplicity" });
   makeRoom(run, output->GetPointData(), name);
   output->GetPointData()->AddArray(makeDoubles(name, mesh.surface.map.atPoints(mesh.values)));
   return name;
