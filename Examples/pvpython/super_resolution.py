@@ -58,7 +58,12 @@ def spline(small, factor, averages, degree, shift=0):
     return ndimage.map_coordinates(small, numpy.meshgrid(rows, columns, indexing="ij"), order=degree, mode=border)
 
 
-def source(dataset, values):
+def grid(shape, origin, step, values=None):
+    """A source of an image in the plane, in pixels of the large image."""
+    dataset = vtk.vtkImageData()
+    dataset.SetDimensions(shape[1], shape[0], 1)
+    dataset.SetOrigin(origin, origin, 0)
+    dataset.SetSpacing(step, step, 1)
     if values is not None:
         array = numpy_to_vtk(values.ravel(), deep=True)
         array.SetName("Brightness")
@@ -71,17 +76,11 @@ def source(dataset, values):
 def radial(small, factor, averages, kernel, width):
     """The small image enlarged by LocalRBF, with the kernel's width in small pixels."""
     mirrored = numpy.pad(small, MARGIN, mode="reflect")
-    rows, columns = factor * (numpy.indices(mirrored.shape) - MARGIN) + first(factor, averages)
-    places = numpy.column_stack([columns.ravel(), rows.ravel(), numpy.zeros(rows.size)]).astype(float)
-    samples = vtk.vtkPolyData()
-    samples.SetPoints(vtk.vtkPoints())
-    samples.GetPoints().SetData(numpy_to_vtk(places, deep=True))
-    target = vtk.vtkImageData()
-    target.SetDimensions(small.shape[1] * factor, small.shape[0] * factor, 1)
-    enlarged = RBFExtend(Input=source(samples, mirrored), ScalarArray=["POINTS", "Brightness"], Target=source(target, None),
-                         Scheme="LocalRBF", Kernel=kernel, KernelWidth=width * factor, NeighborCount=NEIGHBORS)
-    values = vtk_to_numpy(servermanager.Fetch(enlarged).GetPointData().GetArray("Brightness"))
-    return values.reshape(small.shape[0] * factor, small.shape[1] * factor)
+    samples = grid(mirrored.shape, first(factor, averages) - MARGIN * factor, factor, mirrored)
+    large = numpy.multiply(small.shape, factor)
+    enlarged = RBFExtend(Input=samples, ScalarArray=["POINTS", "Brightness"], Target=grid(large, 0, 1), Scheme="LocalRBF",
+                         Kernel=kernel, KernelWidth=width * factor, NeighborCount=NEIGHBORS)
+    return vtk_to_numpy(servermanager.Fetch(enlarged).GetPointData().GetArray("Brightness")).reshape(large)
 
 
 def mean_square(image, other):
@@ -122,7 +121,8 @@ def compare(name, image, factor, averages):
             radial_functions = rows[-1][1]
     misplaced = spline(small, factor, averages, 3, shift=0.5)
     rows.append(("degree 3, half a small pixel off", misplaced))
-    print(f"\n{name}, {factor} x, from {'averages' if averages else 'every 2nd pixel' if factor == 2 else 'every 4th pixel'}")
+    way = "averages" if averages else "every 2nd pixel" if factor == 2 else "every 4th pixel"
+    print(f"\n{name}, {factor} x, from {way}")
     print("                                         MRE   PSNR   SSIM")
     for label, enlarged in rows:
         error = mean_square(image, enlarged)
