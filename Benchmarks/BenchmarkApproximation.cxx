@@ -50,10 +50,14 @@ void levelSets(benchmark::State& state)
   approximate(state, CenterSelection::LevelSets);
 }
 
-/// 120,050, 500,000 and 2,798,792 vertices; 1% of them, at most 6000, are centers.
+/// 3,042 to 2,798,978 vertices; 1% of them, at most 6000, are centers beside the stars.
 void sizes(benchmark::internal::Benchmark* benchmark)
 {
   benchmark->ArgNames({ "around", "paper10ms", "threads" })
+    ->Args({ 78, 8, 2 })
+    ->Args({ 174, 57, 2 })
+    ->Args({ 346, 212, 2 })
+    ->Args({ 400, 317, 2 })
     ->Args({ 490, 534, 1 })
     ->Args({ 490, 534, 2 })
     ->Args({ 1000, 1721, 2 })

@@ -66,7 +66,8 @@ struct MeshlessApproximation
  * follow f between them:
  *
  * - Greedy: a sparse cover, then in rounds the vertices where u misses f most, apart from each
- *   other. Fewer are chosen where u is f to rounding.
+ *   other; in the end, centers that matter least are exchanged for such vertices. Fewer are chosen
+ *   where u is f to rounding.
  * - LevelSets, the paper's C_iso: evenly spread points of the level sets of the uniform optimal
  *   partition (levelSetCoverage()). Where these cover less than three quarters, the rest, on which
  *   f is nearly constant, gets its share, too (C_ls; "close to zero" in the paper is a misprint for
@@ -77,8 +78,9 @@ struct MeshlessApproximation
  * at 4 k places, centers among them: a well-conditioned system whatever the places.
  *
  * There are at most MostDenseCenters: `askedCount` says how many were asked for. With k >= 4
- * starCount the largest error of Greedy is below half that of farthest-point centers
- * (Documentation/approximation-accuracy.md); with fewer, stars take the centers away.
+ * starCount the largest error of Greedy is below half that of farthest-point centers and a quarter
+ * of that of LevelSets, where the former is within 1% of f's range: no choice makes up for details
+ * that fit between the centers (Documentation/approximation-accuracy.md).
  *
  * Time O(k^3 + n k), memory O(k^2 + n). Results do not depend on the number of threads.
  *

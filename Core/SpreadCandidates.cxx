@@ -9,7 +9,7 @@ SpreadCandidates::SpreadCandidates(const Points& vertices, const std::vector<Ind
   : vertices_(vertices)
   , candidates_(candidates)
   , places_(columnsOf(vertices, candidates))
-  , tree_(this->places_)
+  , tree_(this->places_, { 1, {} })
 {
 }
 
