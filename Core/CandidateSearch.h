@@ -12,7 +12,7 @@ namespace SurfaceScalars
 struct Arrival
 {
   SurfaceSearch search;
-  int steps; ///< of this search and those in vain before it
+  int steps = 0; ///< of this search and those in vain before it
 };
 
 /// Where the searches from one candidate lead: to points of its type.

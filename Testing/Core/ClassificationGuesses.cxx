@@ -30,7 +30,7 @@ double bump(const Vector3d& p)
   return p.x() * std::exp(-p.squaredNorm());
 }
 
-/// Three hills and two hollows.
+/// Hills and hollows with nine critical points in the square.
 double peaks(const Vector3d& p)
 {
   const double x = p.x();
