@@ -232,6 +232,31 @@ TEST(ModelCriticalPoints, bearNoiseOfTheSurface)
   EXPECT_LE(run.largestResidual(), 1e-10);
 }
 
+// Meshes that sample no surface at all, collapsed onto a line or a few places or thrown about, give
+// finite places whose indices sum to Euler's characteristic.
+TEST(ModelCriticalPoints, bearMeshesWithoutASurface)
+{
+  const Field u = fewCenters(unitSphere(), 60, KernelType::Cubic, 0.0, 3);
+  const Mesh sphere = sphereMesh(3);
+  const MeshTopology topology = topologyOf(sphere);
+  Points onALine = sphere.vertices;
+  onALine.bottomRows<2>().setZero();
+  const Points atFewPlaces = sphere.vertices.array().round();
+  Points thrown = sphere.vertices;
+  addNoise(thrown, 1.0, 1);
+  for (const Points& vertices : { onALine, atFewPlaces, thrown })
+  {
+    const ModelRun run(vertices, topology, u);
+    EXPECT_EQ(run.sum, 2.0);
+    EXPECT_LE(run.largestResidual(), 1e-10);
+    for (const ModelCriticalPoint& point : run.result.points)
+    {
+      EXPECT_TRUE(point.point.position.allFinite());
+      EXPECT_TRUE(std::isfinite(point.point.residual));
+    }
+  }
+}
+
 // The number of threads changes nothing; an abort is heard.
 TEST(ModelCriticalPoints, doNotDependOnThreads)
 {
