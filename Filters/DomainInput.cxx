@@ -1,5 +1,6 @@
 #include "DomainInput.h"
 
+#include "DatasetCells.h"
 #include "ExplicitPoints.h"
 #include "FilterRun.h"
 #include "PointSetInput.h"
@@ -9,13 +10,8 @@
 #include "SurfaceTriangles.h"
 #include "VolumeTopology.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -29,123 +25,7 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr vtkIdType Step = 1 << 14; // cells between two reports
-constexpr double CellShare = 0.6;   // of the whole
-
-/// What the cells of a dataset are.
-struct CellCounts
-{
-  vtkIdType flat = 0;
-  vtkIdType solid = 0;
-  vtkIdType other = 0;         ///< vertices and lines
-  Eigen::Index tetrahedra = 0; ///< that the solid ones are cut into
-};
-
-bool isFlat(int type)
-{
-  return type == VTK_TRIANGLE || type == VTK_TRIANGLE_STRIP || type == VTK_POLYGON ||
-    type == VTK_PIXEL || type == VTK_QUAD;
-}
-
-CellCounts countCells(vtkDataSet* input)
-{
-  CellCounts counts;
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    const int type = input->GetCellType(cell);
-    const int tetrahedra = tetrahedronCount(type);
-    counts.tetrahedra += tetrahedra;
-    if (tetrahedra > 0)
-    {
-      ++counts.solid;
-    }
-    else if (isFlat(type))
-    {
-      ++counts.flat;
-    }
-    else if (type != VTK_EMPTY_CELL) // which is what is hidden in a grid
-    {
-      require(
-        type == VTK_VERTEX || type == VTK_POLY_VERTEX || type == VTK_LINE || type == VTK_POLY_LINE,
-        "cells that are triangles, quads, polygons, tetrahedra, voxels, hexahedra, wedges or "
-        "pyramids",
-        "a " + std::string(vtkCellTypes::GetClassNameFromTypeId(type)) + ", cell " +
-          std::to_string(cell),
-        "Apply Tetrahedralize first.");
-      ++counts.other;
-    }
-  }
-  return counts;
-}
-
-/// Calls visit(cell, type, corners) for each cell.
-template <class Visit>
-void forEachCell(vtkDataSet* input, const Execution& execution, const Visit& visit)
-{
-  const vtkIdType count = input->GetNumberOfCells();
-  const vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    if (cell % Step == 0)
-    {
-      execution.report(static_cast<double>(cell) / static_cast<double>(count));
-    }
-    const int type = input->GetCellType(cell);
-    if (type != VTK_EMPTY_CELL)
-    {
-      input->GetCellPoints(cell, corners);
-      visit(cell, type, corners);
-    }
-  }
-}
-
-/// The flat cells of a dataset as polydata, whose cells are parts of those.
-struct FlatCells
-{
-  vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();
-  std::vector<vtkIdType> cells; ///< of the dataset, by cell of the surface
-};
-
-void addFlatCell(int type, vtkIdList* corners, vtkCellArray* polygons)
-{
-  const vtkIdType* ids = corners->GetPointer(0);
-  if (type == VTK_PIXEL)
-  {
-    polygons->InsertNextCell({ ids[0], ids[1], ids[3] });
-    polygons->InsertNextCell({ ids[0], ids[3], ids[2] });
-  }
-  else if (type == VTK_TRIANGLE_STRIP)
-  {
-    for (vtkIdType i = 0; i + 2 < corners->GetNumberOfIds(); ++i)
-    {
-      polygons->InsertNextCell({ ids[i], ids[i + 1 + i % 2], ids[i + 2 - i % 2] });
-    }
-  }
-  else
-  {
-    polygons->InsertNextCell(corners);
-  }
-}
-
-FlatCells flatCellsOf(vtkDataSet* input, const Execution& execution)
-{
-  FlatCells flat;
-  const vtkSmartPointer<vtkPointSet> points = withExplicitPoints(input);
-  const vtkNew<vtkCellArray> polygons;
-  forEachCell(input, execution,
-    [&](vtkIdType cell, int type, vtkIdList* corners)
-    {
-      if (isFlat(type))
-      {
-        addFlatCell(type, corners, polygons);
-        flat.cells.resize(static_cast<std::size_t>(polygons->GetNumberOfCells()), cell);
-      }
-    });
-  flat.surface->SetPoints(points->GetPoints());
-  flat.surface->SetPolys(polygons);
-  flat.surface->GetPointData()->ShallowCopy(input->GetPointData());
-  return flat;
-}
+constexpr double CellShare = 0.6; // of the whole
 
 /// The cells of the triangles of a surface that were kept: some of all, in their order.
 std::vector<vtkIdType> cellsOfKept(
