@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace SurfaceScalars
@@ -16,28 +17,37 @@ namespace
 
 constexpr int MostSteps = 30;       // of the dichotomy, in search of the last that matters
 constexpr int MostUsefulSteps = 20; // a million iso-values
-constexpr Index MostParts = Index(1) << MostSteps;
 constexpr std::size_t Grain = 4096; // simplices in a block of a parallel loop
 
-/// f's range and the values that divide it in 2^30 equal parts, among which are those of all
-/// coarser divisions.
+/// How often the range can be halved until rounding makes two of the values between equal.
+int distinctSteps(double largest, double range)
+{
+  const double spacing = 4.0 * std::numeric_limits<double>::epsilon() * largest;
+  return range > spacing ? std::clamp(std::ilogb(range / spacing), 1, MostSteps) : 1;
+}
+
+/// f's range and the values that divide it in 2^30 equal parts, or as many as numbers can tell
+/// apart, among which are those of all coarser divisions.
 class Division
 {
 public:
   explicit Division(const ValuesRef& values)
     : lowest_(values.minCoeff())
     , range_(values.maxCoeff() - lowest_)
+    , steps_(distinctSteps(values.lpNorm<Eigen::Infinity>(), range_))
+    , parts_(Index(1) << steps_)
   {
   }
 
   double range() const { return this->range_; }
-  double value(Index i) const { return this->lowest_ + this->range_ * (i / double(MostParts)); }
+  int steps() const { return this->steps_; }
+  double value(Index i) const { return this->lowest_ + this->range_ * (i / double(this->parts_)); }
 
   /// The first k for which one of the 2^k - 1 values is in the interval; above 30 if there is none.
   int firstStep(double lower, double upper) const
   {
     Index first = std::max(Index(1), static_cast<Index>(this->place(lower)));
-    Index last = std::min(MostParts - 1, static_cast<Index>(std::ceil(this->place(upper))));
+    Index last = std::min(this->parts_ - 1, static_cast<Index>(std::ceil(this->place(upper))));
     for (int i = 0; i < 2; ++i) // the second for rounding
     {
       first += this->value(first) < lower ? 1 : 0;
@@ -45,14 +55,16 @@ public:
     }
     // Of the numbers from first to last, the one that the highest power of 2 divides ends in as
     // many zeros as first - 1 and last have bits from the highest in which they differ.
-    return first <= last ? MostSteps - std::ilogb(double((first - 1) ^ last)) : MostSteps + 1;
+    return first <= last ? this->steps_ - std::ilogb(double((first - 1) ^ last)) : MostSteps + 1;
   }
 
 private:
-  double place(double value) const { return (value - this->lowest_) / this->range_ * MostParts; }
+  double place(double value) const { return (value - this->lowest_) / this->range_ * this->parts_; }
 
   double lowest_;
   double range_;
+  int steps_;
+  Index parts_;
 };
 
 /// Area of a triangle, volume of a tetrahedron.
@@ -179,13 +191,12 @@ LevelSetCoverage levelSetCoverage(const PointsRef& vertices, const SimplicesRef&
 
 Values dyadicIsoValues(const ValuesRef& values, int k)
 {
-  require(k >= 1 && k <= MostSteps, "1 to " + std::to_string(MostSteps) + " halvings",
-    std::to_string(k), "Choose fewer.");
   const Division division(values);
-  const Index parts = Index(1) << k;
-  return Values::NullaryExpr(parts - 1,
-    [&](Eigen::Index i)
-    { return division.value(static_cast<Index>(i + 1) * (MostParts / parts)); });
+  require(k >= 1 && k <= division.steps(), "1 to " + std::to_string(division.steps()) + " halvings",
+    std::to_string(k), "Choose fewer.");
+  const Index parts = Index(1) << (division.steps() - k);
+  return Values::NullaryExpr((Index(1) << k) - 1,
+    [&](Eigen::Index i) { return division.value(static_cast<Index>(i + 1) * parts); });
 }
 
 } // namespace SurfaceScalars

@@ -27,8 +27,8 @@ struct LevelSetCoverage
  * Discrete and global coverage (design paper, sec. 4). A value meets a simplex if it is not outside
  * the range of its corners; each simplex counts once.
  *
- * The dichotomy ends where the coverage is stationary: no further step, up to 2^30 parts, changes
- * it by the tolerance. (The paper stops at the first such step, which for values crowded in a small
+ * The dichotomy ends where the coverage is stationary: no further step, up to 2^30 parts or as many
+ * as numbers can tell apart, changes it by the tolerance. (The paper stops at the first such step, which for values crowded in a small
  * part of the range is the very first.) The limit of c_k is the share of the simplices on which f
  * is not constant, whatever f: it is 1 unless f has plateaus, and says nothing of how level sets
  * are distributed. What does is how many of them it takes.
@@ -44,7 +44,8 @@ SURFACESCALARSCORE_EXPORT LevelSetCoverage levelSetCoverage(const PointsRef& ver
   const Execution& execution = {});
 
 /// The 2^k - 1 values between 2^k equal parts of f's range, ascending. Those of a smaller k are
-/// among them, to the bit. @param k 1 to 30
+/// among them, to the bit.
+/// @param k 1 to 30, less where rounding makes values equal @throws InvalidInput
 SURFACESCALARSCORE_EXPORT Values dyadicIsoValues(const ValuesRef& values, int k);
 
 } // namespace SurfaceScalars

@@ -236,6 +236,28 @@ TEST(LevelSetCoverage, isoValuesAreNested)
   }
 }
 
+// Values so far from 0 that few numbers lie between them have as many iso-values as are different,
+// and their coverage is that of brute force.
+TEST(LevelSetCoverage, isExactWhereNumbersAreScarce)
+{
+  const SimplicialMesh mesh = simplicesOf(subdividedSphere(3));
+  for (const double height : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7 })
+  {
+    const Values values = 1.7e9 + height * mesh.vertices.row(2).transpose().array();
+    const LevelSetCoverage found = coverageOf(mesh, values);
+    for (Eigen::Index i = 1; i < found.isoValues.size(); ++i)
+    {
+      ASSERT_LT(found.isoValues[i - 1], found.isoValues[i]) << height;
+    }
+    for (int k = 1; k <= static_cast<int>(found.coverages.size()); ++k)
+    {
+      EXPECT_NEAR(found.coverages[static_cast<std::size_t>(k - 1)],
+        bruteForce(mesh, values, dyadicIsoValues(values, k)), 1e-9)
+        << height;
+    }
+  }
+}
+
 // Neither the number of threads, nor the unit of f, nor that of length changes a coverage.
 TEST(LevelSetCoverage, isThatOfTheFunction)
 {
