@@ -4,6 +4,7 @@
 #include "OutputArrays.h"
 #include "PointSetInput.h"
 #include "PropertyChoice.h"
+#include "Require.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -230,6 +231,7 @@ NamedModel readModel(vtkPolyData* input)
 {
   NamedModel named;
   FieldModel& model = named.model;
+  require(input != nullptr, "a Model, which is polydata", "data of another type", Remedy);
   const FieldReader reader(input->GetFieldData());
   checkVersion(reader);
   readChoices(reader, model.parameters);

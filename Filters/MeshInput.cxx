@@ -36,9 +36,12 @@ void noteOtherCells(FilterRun& run, vtkPolyData* input)
   }
 }
 
+/// @param input null: a block of a composite dataset is of another type
 /// @throws InvalidInput if there are none
 Triangles readTriangles(FilterRun& run, const Execution& execution, vtkPolyData* input)
 {
+  require(input != nullptr, "blocks that are polydata", "one of another type",
+    "Apply Extract Surface first.");
   Triangles triangles = trianglesOf(input, execution);
   require(triangles.cols() > 0, "a mesh of triangles, quads or strips",
     "no triangle among " + std::to_string(input->GetNumberOfCells()) + " cells",

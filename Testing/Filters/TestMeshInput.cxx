@@ -3,7 +3,9 @@
 
 #include "MeshTest.h"
 
+#include "vtkConstrainedSmoothing.h"
 #include "vtkMeshCriticalPoints.h"
+#include "vtkMorseComplex.h"
 
 #include "vtkCellArrayIterator.h"
 #include "vtkDoubleArray.h"
@@ -11,6 +13,7 @@
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +22,9 @@
 
 using namespace SurfaceScalars;
 using namespace SurfaceScalars::FilterTest;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 namespace
 {
@@ -332,6 +337,24 @@ TEST(MeshInput, refusesThresholdsThatAreNoFractions)
     delta->SetDelta(threshold);
     expectFailure(delta, update(delta), "Mesh Critical Points", { "Delta from 0 to 1" });
   }
+}
+
+// A block that is no polydata is refused by every filter that takes meshes.
+TEST(MeshInput, refusesBlocksOfOtherTypes)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkUnstructuredGrid>());
+  const auto refuses = [&](vtkAlgorithm* filter, const std::string& name)
+  {
+    filter->SetInputDataObject(0, blocks);
+    const Outcome outcome = update(filter); // the executive goes on with other blocks
+    ASSERT_EQ(outcome.errors.size(), 1U);
+    EXPECT_THAT(outcome.errors[0],
+      AllOf(HasSubstr(name + ": needs blocks that are polydata"), HasSubstr("Extract Surface")));
+  };
+  refuses(vtkNew<vtkMeshCriticalPoints>(), "Mesh Critical Points");
+  refuses(vtkNew<vtkMorseComplex>(), "Morse Complex");
+  refuses(vtkNew<vtkConstrainedSmoothing>(), "Constrained Smoothing");
 }
 
 // The blocks of a composite dataset are meshes of their own.
