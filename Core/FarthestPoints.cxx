@@ -90,6 +90,10 @@ std::vector<Index> evenSubset(
 std::vector<Index> distinctPlaces(
   const PointsRef& points, const std::vector<Index>& indices, const Execution& execution)
 {
+  if (indices.empty())
+  {
+    return {};
+  }
   const Points places = columnsOf(points, indices);
   const std::vector<Index> order = mortonOrder(places, execution);
   std::vector<char> isRepeated(indices.size(), 0);

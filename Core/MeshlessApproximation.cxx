@@ -66,12 +66,17 @@ std::vector<Index> starsOf(const ApproximationDomain& domain,
   return distinctPlaces(domain.vertices, result, execution);
 }
 
+/// None if f is constant: what ties by index make critical is no feature of it.
 void findPersistent(const ApproximationDomain& domain, const ValuesRef& values, double threshold,
   MeshlessApproximation& result, const Execution& execution)
 {
+  const double range = values.maxCoeff() - values.minCoeff();
+  if (range == 0.0)
+  {
+    return;
+  }
   MeshCriticalPoints critical = domain.criticalPoints(values, execution);
   const std::vector<CriticalPoint> all = critical.points;
-  const double range = values.maxCoeff() - values.minCoeff();
   removeBelow(critical.points, critical.pairs, threshold * range);
   result.leftOut = all.size() - critical.points.size();
   auto next = all.begin();
@@ -168,13 +173,21 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
   const Values misses = (result.values - values).cwiseAbs();
   result.largestError = misses.maxCoeff();
   result.meanError = misses.mean();
-  compare(domain, result, execution.part(0.95, 1.0));
+  if (result.model.highest > result.model.lowest)
+  {
+    compare(domain, result, execution.part(0.95, 1.0));
+  }
   return result;
 }
 
 std::vector<std::string> remarksOn(const MeshlessApproximation& result)
 {
   std::vector<std::string> remarks;
+  if (result.model.highest == result.model.lowest)
+  {
+    remarks.push_back("the function is " + textOf(result.model.lowest) +
+      " everywhere, so that a few centers are enough and none is critical.");
+  }
   const Eigen::Index count = std::min<Eigen::Index>(result.askedCount, MostDenseCenters);
   if (result.askedCount > MostDenseCenters)
   {

@@ -44,7 +44,7 @@ struct MeshlessApproximation
 
   std::vector<CriticalPoint> persistent; ///< of f, interpolated with their links
   std::vector<std::size_t> lost;         ///< of these: not so in u, ascending
-  MeshCriticalPoints critical;           ///< of `values`, ties by index
+  MeshCriticalPoints critical;           ///< of `values`, ties by index; none if f is constant
   std::vector<char> prescribed;          ///< by critical point: one of f's persistent ones
   /// Critical points of f that were left out as not persistent.
   std::size_t leftOut = 0;

@@ -95,7 +95,8 @@ TEST(MeshlessApproximationInput, refusesValues)
   EXPECT_NE(refusal(mesh, values), "taken");
 }
 
-// A constant has no range, and is reproduced to the bit.
+// A constant has no range, is reproduced to the bit, and has no critical points that take centers,
+// however many vertices ties by index make critical.
 TEST(MeshlessApproximationInput, takesConstants)
 {
   for (const TriangleMesh& mesh : { octahedralSphere(8), gridMesh(Grid::Torus, 12, 9) })
@@ -109,7 +110,10 @@ TEST(MeshlessApproximationInput, takesConstants)
       const MeshlessApproximation result = approximated(mesh, values, parameters);
       EXPECT_EQ(result.values, values);
       EXPECT_EQ(result.largestError, 0.0);
-      EXPECT_TRUE(result.lost.empty());
+      EXPECT_TRUE(result.persistent.empty());
+      EXPECT_TRUE(result.critical.points.empty());
+      EXPECT_EQ(result.starCount, 0);
+      EXPECT_THAT(remarksOn(result), ElementsAre(HasSubstr("is 0.33333")));
     }
   }
 }
@@ -224,6 +228,7 @@ TEST(MeshlessApproximationInput, remarks)
 {
   MeshlessApproximation result;
   result.model.centers.resize(3, 6000);
+  result.model.highest = 1.0;
   result.starCount = 100;
   result.askedCount = 6000;
   EXPECT_THAT(remarksOn(result), IsEmpty());
