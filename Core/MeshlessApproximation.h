@@ -79,8 +79,9 @@ struct MeshlessApproximation
  *
  * There are at most MostDenseCenters: `askedCount` says how many were asked for. With k >= 4
  * starCount the largest error of Greedy is below half that of farthest-point centers and a quarter
- * of that of LevelSets, where the former is within 1% of f's range: no choice makes up for details
- * that fit between the centers (Documentation/approximation-accuracy.md).
+ * of that of LevelSets, where the former is within 1% of f's range and within half of that of half
+ * as many: no choice makes up for details that fit between the centers
+ * (Documentation/approximation-accuracy.md).
  *
  * Time O(k^3 + n k), memory O(k^2 + n). Results do not depend on the number of threads.
  *

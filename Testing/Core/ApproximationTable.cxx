@@ -25,7 +25,8 @@ using namespace SurfaceScalars::Truth;
 namespace
 {
 
-// Of f's range: where farthest points miss f by more, it has details between centers.
+// Of f's range: where farthest points miss f by more, or by more than half of what half as many
+// miss it by, it has details between centers.
 constexpr double ResolvedError = 0.01;
 constexpr Eigen::Index MostForEigenfunctions = 50000; // vertices: others would take minutes
 
@@ -168,7 +169,8 @@ void reportSelection(MarkdownReport& report, const std::string& folder, bool isR
         const int kept = all - static_cast<int>(greedy.lost.size());
         const bool isBetter =
           greedy.largestError <= 0.5 * even && greedy.largestError <= 0.25 * paper.largestError;
-        const bool isResolved = even <= ResolvedError * range;
+        const bool isResolved = even <= ResolvedError * range &&
+          even <= 0.5 * farthestPointError(points, function.values, count / 2);
         report.row({ function.name, std::to_string(all), std::to_string(stars),
           std::to_string(count), number("%.1e", greedy.largestError / range),
           number("%.1e", even / range), number("%.1e", paper.largestError / range),
