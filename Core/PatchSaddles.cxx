@@ -24,6 +24,10 @@ constexpr double SamePlace = 1e-4;        // of the piece where a point was firs
 constexpr double ExpectedFraction = 0.1;  // of the change along an edge, to which it is foreseen
 constexpr double RingFraction = 0.02;     // of the distance to the nearest few centers
 constexpr int NearCenters = 4;
+constexpr double FlatAngle = 1e-9;
+constexpr std::size_t MostPlaces = 2000; // more than that are no saddles but a ridge
+constexpr int MostRings = 4;
+constexpr double RingRatio = 0.125;      // of the radius of one to that of the one before
 constexpr std::size_t FewestSectors = 4; // around a saddle
 constexpr double DentReach = 3.0;        // of the distance at which the level's branches are clear
 
@@ -138,11 +142,20 @@ std::vector<PatchPlace> distinct(const std::vector<std::optional<Found>>& found)
   std::vector<PatchPlace> result;
   for (const std::optional<Found>& one : found)
   {
+    // From beside a triangle's side one is found on both; one of these does not lie on its
+    // triangle.
     const auto isHere = [&](const PatchPlace& other)
-    { return (other.place - one->candidate.place).norm() <= SamePlace * one->scale; };
+    {
+      return other.triangle == one->candidate.triangle &&
+        (other.place - one->candidate.place).norm() <= SamePlace * one->scale;
+    };
     if (one && std::none_of(result.begin(), result.end(), isHere))
     {
       result.push_back(one->candidate);
+    }
+    if (result.size() > MostPlaces)
+    {
+      return {};
     }
   }
   return result;
@@ -156,6 +169,13 @@ struct PinnedSaddle
   Dent dent;
 };
 
+bool isPlane(const ContourPatch& patch, const PatchStar& star)
+{
+  const Vector3d normal = patch.normal(patch.pieces[star.front()]);
+  return std::all_of(star.begin(), star.end(),
+    [&](std::size_t i) { return patch.normal(patch.pieces[i]).cross(normal).norm() <= FlatAngle; });
+}
+
 std::optional<PinnedSaddle> saddleAt(const ContourPatch& patch, Index vertex, const PatchStar& star,
   const LevelBound& bound, const Field& field, LevelProbe& probe)
 {
@@ -165,9 +185,16 @@ std::optional<PinnedSaddle> saddleAt(const ContourPatch& patch, Index vertex, co
     return {};
   }
   const Vector3d& place = patch.vertices[vertex].place;
-  const double radius = ringRadius(field, place);
-  PinnedSaddle saddle{ vertex,
-    SaddleRing(patch, vertex, link, star).sectors(radius, bound.rounding(), probe), {} };
+  const SaddleRing ring(patch, vertex, link, star);
+  PinnedSaddle saddle{ vertex, {}, {} };
+  // Where the mesh bends by little, what is a saddle for that is seen from close by only.
+  double radius = ringRadius(field, place);
+  const int rings = isPlane(patch, star) ? 1 : MostRings;
+  for (int i = 0; i < rings && saddle.sectors.size() < FewestSectors; ++i)
+  {
+    radius *= i > 0 ? RingRatio : 1.0;
+    saddle.sectors = ring.sectors(radius, bound.rounding(), probe);
+  }
   if (saddle.sectors.size() < FewestSectors)
   {
     return {};
