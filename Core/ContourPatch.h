@@ -27,10 +27,10 @@ struct PatchVertex
 
 struct PatchPiece
 {
-  std::array<Index, 3> corners; ///< patch vertices, round as those of the triangle
-  Index triangle;               ///< of the mesh
-  int depth = 0;                ///< how often it was cut in four
-  double deviation = 0.0;       ///< of the segment in it from the level set, length
+  std::array<Index, 3> corners{}; ///< patch vertices, round as those of the triangle
+  Index triangle = 0;             ///< of the mesh
+  int depth = 0;                  ///< how often it was cut in four
+  double deviation = 0.0;         ///< of the segment in it from the level set, length
   bool isExamined = false;
   bool isClear = false;       ///< of the level set but for what crosses its edges
   bool isSettled = false;     ///< need not be cut

@@ -34,7 +34,7 @@ private:
   struct RefinedPatch
   {
     ContourPatch patch;
-    std::size_t undefinedCount;
+    std::size_t undefinedCount = 0;
   };
 
   std::vector<Index> beyondEnds(const ContourPatch& patch, const std::vector<Index>& selected);

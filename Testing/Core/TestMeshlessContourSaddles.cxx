@@ -1,10 +1,13 @@
+#include "FieldTruth.h"
 #include "MeshCriticalPoints.h"
 #include "ModelExamples.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace SurfaceScalars
 {
@@ -141,6 +144,91 @@ TEST(MeshlessContourSaddles, giveLoopsAtVerticesOfATorus)
     }
   }
   EXPECT_GE(saddles, 2);
+}
+
+/// Gaussians of random heights at random places.
+Field randomGaussians(unsigned seed)
+{
+  Random random(seed);
+  Points centers = randomPlaces(25, 1.0, seed);
+  centers.row(2) *= 0.2;
+  Values heights(25);
+  std::generate(heights.begin(), heights.end(), [&] { return random.uniform(-1.0, 1.0); });
+  return gaussians(centers, heights, 0.45);
+}
+
+/// Critical points of a field in the plane z = 0, by Newton's method from random places, that are
+/// saddles.
+std::vector<Vector3d> saddlesInPlane(const Field& field, unsigned seed)
+{
+  const auto approximation = field.approximation();
+  const Vector3d origin = field.cloud().origin();
+  std::vector<Vector3d> saddles;
+  const Points starts = randomPlaces(40, 0.9, seed);
+  for (Eigen::Index start = 0; start < starts.cols(); ++start)
+  {
+    Vector3d place(starts(0, start), starts(1, start), 0.0);
+    FieldJet jet;
+    Vector2d step(1.0, 1.0);
+    for (int i = 0; i < 40 && step.norm() > 1e-14 && place.cwiseAbs().maxCoeff() < 0.95; ++i)
+    {
+      jet = approximation->jet(place - origin, Derivatives::Hessian);
+      step = -jet.hessian.topLeftCorner<2, 2>().inverse() * jet.gradient.head<2>();
+      place.head<2>() += step * std::min(1.0, 0.1 / step.norm());
+    }
+    const bool isNew = std::none_of(saddles.begin(), saddles.end(),
+      [&](const Vector3d& other) { return (other - place).norm() < 1e-6; });
+    if (isNew && step.norm() <= 1e-14 && jet.hessian.topLeftCorner<2, 2>().determinant() < 0.0)
+    {
+      saddles.push_back(place);
+    }
+  }
+  return saddles;
+}
+
+// Four branches meet at every saddle of random functions, on meshes coarser and finer than these:
+// each curve through it has two of them, or ends there.
+TEST(MeshlessContourSaddles, areFoundOnAPlane)
+{
+  int count = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    const Field field = randomGaussians(seed);
+    const Mesh mesh = centeredSquare(3 + static_cast<int>(seed) % 9, 2.0, 0.3);
+    for (const Vector3d& saddle : saddlesInPlane(field, seed))
+    {
+      const LevelSets sets = contoursOf(field, mesh, { valueAt(field, saddle) + 5e-7 }).sets;
+      int branches = 0;
+      for (const LevelSetCurve& curve : sets.curves)
+      {
+        for (const LevelSetPoint& point : curve.points)
+        {
+          const bool isEnd =
+            !curve.closed && (&point == &curve.points.front() || &point == &curve.points.back());
+          branches += (point.position - saddle).norm() < 1e-9 ? (isEnd ? 1 : 2) : 0;
+        }
+      }
+      EXPECT_EQ(branches, 4) << "seed " << seed << " at " << saddle.transpose();
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 15);
+}
+
+// On a mesh that bends at its edges a smooth function has saddles on these: where it has a minimum
+// along the edge and falls on both sides, or the other way round.
+TEST(MeshlessContourSaddles, areFoundOnEdges)
+{
+  Mesh roof{ Points(3, 4), Triangles(3, 2) };
+  roof.vertices << 0, 0, 1, -1, -1, 1, 0.1, 0.1, 0, 0, -1, -0.8;
+  roof.triangles << 0, 1, 1, 0, 2, 3;
+  const Vector3d place(0.0, 0.2, 0.0);
+  // y^2 and a slope upwards, of a Gaussian far below: least at `place` along the ridge.
+  const Field field = gaussians(place - Vector3d(0.0, 0.0, 0.7), -Values::Ones(1), 0.8);
+  const double level = valueAt(field, place);
+  const LevelSets sets = contoursOf(field, roof, { level }).sets;
+  ASSERT_EQ(sets.curves.size(), 4u);
+  EXPECT_EQ(countAt(sets, place), 4);
 }
 
 // Neither a peak, a pit, a ridge nor a vertex that merely has the level's value is taken for one.
