@@ -148,7 +148,7 @@ void ContourPatch::cut(const PatchPiece& piece, std::vector<PatchPiece>& result)
     PatchPiece part = piece;
     part.corners = { a, b, c };
     part.isExamined = part.isSettled = part.mayBeCritical = false; // isClear remains
-    part.depth += count == 3;
+    part.halvings += count == 3 ? 2 : 1;
     result.push_back(part);
   };
   // Turned so that the first side is cut, and with two the third is not.

@@ -29,7 +29,7 @@ struct PatchPiece
 {
   std::array<Index, 3> corners{}; ///< patch vertices, round as those of the triangle
   Index triangle = 0;             ///< of the mesh
-  int depth = 0;                  ///< how often it was cut in four
+  int halvings = 0;               ///< of its area, two for each time it was cut in four
   double deviation = 0.0;         ///< of the segment in it from the level set, length
   bool isExamined = false;
   bool isClear = false;       ///< of the level set but for what crosses its edges

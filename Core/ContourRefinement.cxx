@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -17,6 +18,8 @@ namespace
 constexpr std::array<double, 3> Checks{ 0.5, 0.25, 0.75 }; // of a segment
 constexpr double FineFactor = 4.0;          // how much larger a ball must be in which u is smooth
 constexpr std::size_t MostPieces = 2000000; // to be cut at once: a gigabyte
+constexpr std::size_t ManyPieces = 200000;  // more than at first are too many: they fill an area
+constexpr double StuckShare = 0.4;          // of a deviation, which a smooth u divides by four
 constexpr double StageShare = 0.1;          // of the work left
 
 } // namespace
@@ -127,11 +130,22 @@ void ContourRefinement::examine(PatchPiece& piece, LevelProbe& probe) const
   const Vector3d normal = this->patch_.normal(piece);
   const PieceShape shape = this->shapeOf(piece, ball, normal, probe);
   const BallVerdict verdict = this->bound_.judge(ball, shape.value, shape.slope, shape.curvature);
-  piece.deviation = this->deviation(piece, normal, shape, probe);
+  const double before = std::exchange(piece.deviation, this->deviation(piece, normal, shape, probe));
   piece.mayBeCritical = verdict.mayBeCritical;
   piece.isClear = verdict.isClear || verdict.isFlat;
   piece.isSettled = isCrossed ? verdict.isSteep && piece.deviation <= this->limits_.tolerance
                               : piece.isClear || (verdict.isSteep && !this->mayBulge(piece, shape));
+  piece.isSettled =
+    piece.isSettled || this->isStuck(piece, isCrossed, before, shape.isFine);
+}
+
+/// Whether a jump of u is what remains to be seen.
+/// @param before the deviation of the piece that it was cut from
+bool ContourRefinement::isStuck(
+  const PatchPiece& piece, bool isCrossed, double before, bool isFine) const
+{
+  return this->bound_.isJumping() &&
+    (isCrossed ? before > 0.0 && piece.deviation > StuckShare * before : isFine);
 }
 
 /// From the corners alone where u is smooth on a far larger scale: the mean of the values there is
@@ -232,15 +246,18 @@ bool ContourRefinement::cutUnsettled()
   std::vector<const PatchPiece*> unsettled;
   for (const PatchPiece& piece : this->patch_.pieces)
   {
-    if (!piece.isSettled && piece.depth < this->limits_.maximumDepth)
+    if (!piece.isSettled && piece.halvings < 2 * this->limits_.maximumDepth)
     {
       unsettled.push_back(&piece);
     }
   }
-  if (unsettled.empty() || unsettled.size() > MostPieces)
+  const std::size_t most =
+    this->firstCut_ == 0 ? MostPieces : std::max(ManyPieces, this->firstCut_);
+  if (unsettled.empty() || unsettled.size() > most)
   {
     return false;
   }
+  this->firstCut_ = std::max(this->firstCut_, this->firstCut_ == 0 ? unsettled.size() : 0);
   for (const PatchPiece* piece : unsettled)
   {
     for (std::size_t i = 0; i < 3; ++i)

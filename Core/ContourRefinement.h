@@ -22,7 +22,8 @@ struct RefinementLimits
  * it, or it is known to have none there (design paper, sec. 6.1; see LevelBound).
  *
  * All levels of depth are done one after the other: the edges of pieces that are not good are cut
- * in the middle, their neighbors with them. A crossing is the root of u - level on its edge, found
+ * in the middle, their neighbors with them. Where that would take a gigabyte, as for levels of a
+ * plateau, or a jump of a local scheme does not become smaller, it ends. A crossing is the root of u - level on its edge, found
  * once, from the vertex of the lower index: neighbors agree to the bit.
  */
 class ContourRefinement
@@ -50,6 +51,7 @@ private:
   };
   PieceShape shapeOf(
     const PatchPiece& piece, const Ball& ball, const Vector3d& normal, LevelProbe& probe) const;
+  bool isStuck(const PatchPiece& piece, bool isCrossed, double before, bool isFine) const;
   bool mayBulge(const PatchPiece& piece, const PieceShape& shape) const;
   double deviation(const PatchPiece& piece, const Vector3d& normal, const PieceShape& shape,
     LevelProbe& probe) const;
@@ -63,6 +65,7 @@ private:
   Execution execution_;
   double done_ = 0.0;
   std::size_t evaluated_ = 0; ///< vertices
+  std::size_t firstCut_ = 0;  ///< pieces
   std::size_t undefinedCount_ = 0;
 };
 

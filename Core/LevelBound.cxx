@@ -56,6 +56,7 @@ LevelBound::LevelBound(const Field& field)
   : field_(field)
   , kernel_(field.model().parameters.kernel,
       field.model().parameters.kernelWidth > 0.0 ? field.model().parameters.kernelWidth : 1.0)
+  , isJumping_(field.model().parameters.scheme != Scheme::GlobalRBF)
   , smoothRadius_(smoothRadiusOf(field.model().parameters))
 {
   const FieldModel& model = field.model();

@@ -41,6 +41,8 @@ public:
   /// What u's values may be off by.
   double rounding() const { return this->rounding_; }
 
+  /// Whether u jumps a little where its neighborhoods change, as of local schemes.
+  bool isJumping() const { return this->isJumping_; }
   /// Whether the ball holds no more than a few centers.
   bool isSmall(const Ball& ball) const;
 
@@ -52,6 +54,7 @@ private:
 
   const Field& field_;
   RadialKernel kernel_;
+  bool isJumping_;
   double smoothRadius_; ///< of balls that need no look at single terms
   double margin_;
   double rounding_;

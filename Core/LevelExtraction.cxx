@@ -13,6 +13,9 @@ namespace SurfaceScalars
 namespace
 {
 
+constexpr double TurnShare = 0.8; // of the work left: how many turns it takes is not known
+constexpr double PinShare = 0.1;  // of a turn
+
 /// The pieces at edges that the level set crosses and that have no other piece: in which curves
 /// end.
 std::vector<const PatchPiece*> endsOf(const ContourPatch& patch)
@@ -111,14 +114,17 @@ std::vector<Index> LevelExtraction::beyondEnds(
 LevelExtraction::RefinedPatch LevelExtraction::refined(LevelFunction& function,
   std::vector<Index>& selected, const SaddleCandidates& saddles, const Execution& execution)
 {
-  while (true)
+  for (double done = 0.0;; done += TurnShare * (1.0 - done))
   {
+    const Execution turn = execution.part(done, done + TurnShare * (1.0 - done));
     ContourPatch patch(this->vertices_, this->triangles_, selected);
-    if (!saddles.empty() && !pinSaddles(saddles, patch, function, this->bound_, execution))
+    if (!saddles.empty() &&
+      !pinSaddles(saddles, patch, function, this->bound_, turn.part(0.0, PinShare)))
     {
       return { std::move(patch), 0 };
     }
-    ContourRefinement refinement(patch, function, this->bound_, this->limits_, execution);
+    ContourRefinement refinement(
+      patch, function, this->bound_, this->limits_, turn.part(PinShare, 1.0));
     refinement.run();
     const std::vector<Index> added = this->beyondEnds(patch, selected);
     if (added.empty())

@@ -45,16 +45,23 @@ std::string percentOf(double share)
 
 /// What the curves are not, in warnings.
 void noteLimits(
-  const FilterRun& run, const MeshlessContours& contours, bool isLocal, int refinement)
+  const FilterRun& run, const MeshlessContours& contours, const FieldModel& model, int refinement)
 {
+  const bool isLocal = model.parameters.scheme != Scheme::GlobalRBF;
+  if (contours.sets.curves.empty())
+  {
+    run.warn("The model takes none of the values on the surface; at its centers it is from " +
+      textOf(model.lowest) + " to " + textOf(model.highest) + ".");
+  }
   if (contours.largestDeviation > contours.tolerance)
   {
     run.warn("Curves are up to " + textOf(contours.largestDeviation) +
       " away from the model's level sets, farther than the Tolerance of " +
-      textOf(contours.tolerance) + ": triangles were cut MaximumRefinement, " +
-      std::to_string(refinement) + " times." +
-      (isLocal ? " Models of local schemes jump a little, where finer curves come no closer."
-               : " Raise it or the Tolerance."));
+      textOf(contours.tolerance) + ": " +
+      (isLocal ? std::string("models of local schemes jump a little, where finer curves come no "
+                             "closer.")
+               : "raise it, or MaximumRefinement (" + std::to_string(refinement) +
+            ") unless the model is all but constant at the value."));
   }
   if (contours.farShare > 0.0)
   {
@@ -147,7 +154,8 @@ int vtkMeshlessContour::RequestData(
     [&](FilterRun& run)
     {
       vtkPolyData* input = vtkPolyData::GetData(inputs[SurfacePort]);
-      require(input != nullptr, "a Surface", "none", "Choose the mesh that curves are wanted on.");
+      require(input != nullptr, "a Surface of triangles, which is polydata",
+        "none, or a block of another type", "Choose a mesh, or apply Extract Surface to it.");
       MeshlessContourParameters parameters{ listOfContourValues(*this), this->Tolerance,
         this->MaximumRefinement };
       NamedModel named = readModel(vtkPolyData::GetData(inputs[0]));
@@ -160,8 +168,7 @@ int vtkMeshlessContour::RequestData(
       const Field field(std::move(named.model), execution.part(ReadShare, ModelShare));
       const MeshlessContours contours = traceMeshlessContours(
         field, surface.vertices, surface.triangles, parameters, execution.part(ModelShare, 1.0));
-      noteLimits(run, contours, field.model().parameters.scheme != Scheme::GlobalRBF,
-        this->MaximumRefinement);
+      noteLimits(run, contours, field.model(), this->MaximumRefinement);
 
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       vtkFieldData* data = output->GetFieldData();

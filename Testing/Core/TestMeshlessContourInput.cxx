@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <string>
 #include <vector>
 
@@ -169,6 +170,51 @@ TEST(MeshlessContourInput, mayBeALocalScheme)
       EXPECT_TRUE(curve.closed);
     }
   }
+}
+
+// A jump across the level at an edge that neighbors cut again and again does not keep it from
+// ending; progress never falls.
+TEST(MeshlessContourInput, mayJumpAnywhere)
+{
+  for (const unsigned seed : { 1U, 2U, 3U, 4U, 5U, 6U })
+  {
+    FieldModel model;
+    model.centers = randomPlaces(1500, 1.0, seed);
+    model.centers.row(2).setZero();
+    model.coefficients = (9.0 * model.centers.row(0).transpose()).array().sin() *
+      (8.0 * model.centers.row(1).transpose()).array().cos();
+    model.lowest = -1.0;
+    model.highest = 1.0;
+    for (const Scheme scheme : { Scheme::LocalRBF, Scheme::ExplicitMLS })
+    {
+      model.parameters.scheme = scheme;
+      model.parameters.neighborCount = 24;
+      model.parameters.kernelWidth = scheme == Scheme::ExplicitMLS ? 0.1 : 0.0;
+      const Mesh mesh = centeredSquare(40, 1.9, 0.1);
+      double last = 0.0;
+      const auto rises = [&](double done) { return std::exchange(last, done) <= done; };
+      const MeshlessContours contours = traceMeshlessContours(
+        Field(model), mesh.vertices, mesh.triangles, { { 0.0, 0.3 }, 0.0, 8 }, { 0, rises });
+      EXPECT_LT(contours.evaluations, 2000000U) << seed;
+    }
+  }
+}
+
+// Where a kernel ends, u touches 0 on a whole curve without crossing it: work stays bounded.
+TEST(MeshlessContourInput, mayTouchTheLevel)
+{
+  FieldModel model;
+  model.parameters.scheme = Scheme::GlobalRBF;
+  model.parameters.kernel = KernelType::Wendland;
+  model.parameters.kernelWidth = 0.4;
+  model.centers = randomPlaces(10, 1.0, 3);
+  model.centers.row(2).setZero();
+  model.coefficients = Values::LinSpaced(10, -1.0, 1.0);
+  model.lowest = -1.0;
+  model.highest = 1.0;
+  const MeshlessContours contours =
+    contoursOf(Field(model), centeredSquare(40, 1.9, 0.1), { 0.0 }, 1e-9, 20);
+  EXPECT_LT(contours.evaluations, 20000000U);
 }
 
 // Within a second of being asked to, it stops: here at once.

@@ -168,17 +168,19 @@ std::vector<Vector3d> saddlesInPlane(const Field& field, unsigned seed)
   for (Eigen::Index start = 0; start < starts.cols(); ++start)
   {
     Vector3d place(starts(0, start), starts(1, start), 0.0);
-    FieldJet jet;
+    double determinant = 0.0;
     Vector2d step(1.0, 1.0);
     for (int i = 0; i < 40 && step.norm() > 1e-14 && place.cwiseAbs().maxCoeff() < 0.95; ++i)
     {
-      jet = approximation->jet(place - origin, Derivatives::Hessian);
-      step = -jet.hessian.topLeftCorner<2, 2>().inverse() * jet.gradient.head<2>();
+      const FieldJet jet = approximation->jet(place - origin, Derivatives::Hessian);
+      const Eigen::Matrix2d hessian = jet.hessian.topLeftCorner<2, 2>();
+      determinant = hessian.determinant();
+      step = -hessian.inverse() * jet.gradient.head<2>();
       place.head<2>() += step * std::min(1.0, 0.1 / step.norm());
     }
     const bool isNew = std::none_of(saddles.begin(), saddles.end(),
       [&](const Vector3d& other) { return (other - place).norm() < 1e-6; });
-    if (isNew && step.norm() <= 1e-14 && jet.hessian.topLeftCorner<2, 2>().determinant() < 0.0)
+    if (isNew && step.norm() <= 1e-14 && determinant < 0.0)
     {
       saddles.push_back(place);
     }

@@ -210,10 +210,17 @@ TEST(MeshlessContour, saysHowMuchIsExtrapolated)
       "the function is extrapolated there." });
 }
 
+// Where there is nothing, what there would be is said.
+TEST(MeshlessContour, saysThatThereIsNothing)
+{
+  expectWarning(update(contour(makeModel(), squareMesh(), { 1e30 })),
+    { "The model takes none of the values on the surface; at its centers it is from " });
+}
+
 TEST(MeshlessContour, refusesWhatItCannotUse)
 {
   expectRefusal(contour(waveSamples(), squareMesh()), { "needs a Model" });
-  expectRefusal(contour(makeModel(), nullptr), { "needs a Surface, found none" });
+  expectRefusal(contour(makeModel(), nullptr), { "needs a Surface of triangles, which is polydata, found none" });
   expectRefusal(
     contour(makeModel(), makeCloud(randomCube(10, 1))), { "no triangle among 0 cells" });
   expectRefusal(contour(makeModel(), squareMesh(), { 1.0, NaN }),
