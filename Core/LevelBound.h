@@ -8,7 +8,7 @@ namespace SurfaceScalars
 struct Ball
 {
   Vector3d center;
-  double radius;
+  double radius = 0.0;
 };
 
 /// What is known of u - level in a ball, or on the part of a plane in it.

@@ -13,7 +13,7 @@ struct Station
 {
   LevelSetPoint point;
   Vector3d direction;
-  double step;           ///< widened sampling step of the place
+  double step = 0.0;     ///< widened sampling step of the place
   double nearest = 0.0;  ///< distance to the nearest sample
   bool supported = true; ///< samples around it: it lies on the sampled surface
 };

@@ -23,8 +23,8 @@ std::optional<Index> insertVertex(ContourPatch& patch, const PatchPlace& at);
 /// Indices of the pieces around a vertex.
 using PatchStar = std::vector<std::size_t>;
 
-/// The stars of these vertices.
-std::vector<PatchStar> starsOf(const ContourPatch& patch, const std::vector<Index>& vertices);
+/// The stars of these vertices, in their order.
+std::vector<PatchStar> starsOf(const ContourPatch& patch, const std::vector<Index>& centers);
 
 /// The vertices around an inner one, in cyclic order; empty if it is not an inner one with one fan
 /// of pieces.

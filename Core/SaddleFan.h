@@ -12,11 +12,11 @@ namespace SurfaceScalars
 /// multiplicity m.
 struct SaddleFan
 {
-  Station center;                ///< its direction is of no meaning
-  double radius;                 ///< of the circle around it on which the branches begin
-  std::vector<Station> branches; ///< round the center, one way or the other; directions outwards
-  bool firstSectorIsAbove; ///< larger values lie between branches 0 and 1, smaller ones between 1
-                           ///< and 2, and so on
+  Station center;                  ///< its direction is of no meaning
+  double radius = 0.0;             ///< of the circle around it on which the branches begin
+  std::vector<Station> branches;   ///< round the center, one way or the other; directions outwards
+  bool firstSectorIsAbove = false; ///< larger values lie between branches 0 and 1, smaller ones
+                                   ///< between 1 and 2, and so on
 
   /// The branch at the other side of the larger values beside a branch.
   std::size_t acrossLarger(std::size_t branch) const

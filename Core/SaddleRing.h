@@ -11,9 +11,9 @@ namespace SurfaceScalars
 /// Where u - u(p) has one sign around a place p.
 struct Sector
 {
-  bool isAbove;
-  double height;   ///< the largest |u - u(p)|, by the squared distance from p
-  PatchPlace peak; ///< where that is, moved outwards on to the link
+  bool isAbove = false;
+  double height = 0.0; ///< the largest |u - u(p)|, by the squared distance from p
+  PatchPlace peak;     ///< where that is, moved outwards on to the link
 };
 
 /// The places around one, evenly by angle.
