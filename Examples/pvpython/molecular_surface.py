@@ -162,7 +162,7 @@ function = producer(largest, "Potential", values)
 start = time.perf_counter()
 approximation = MeshlessApproximation(Input=function, ScalarArray=["POINTS", "Potential"], SampleFraction=options.centers,
                                       PersistenceThreshold=options.persistence, ResultArrayName="Approximation",
-                                      Kernel="Linear")  # smooth ones do not like points as close as those of iso-surfaces
+                                      Kernel="ThinPlate")  # for Cubic, points of iso-surfaces come too close to each other
 approximation.UpdatePipeline()
 print(f"\npotential from {values.min():.4f} to {values.max():.4f} V; MeshlessApproximation: {time.perf_counter() - start:.1f} s")
 fields = servermanager.Fetch(approximation, idx=0).GetFieldData()
