@@ -1,7 +1,7 @@
 """Makes the surface of a molecule from a coarse grid of its density, and finds where its electric potential peaks.
 
 usage: pvpython molecular_surface.py PLUGIN MOLECULE.pqr PICTURE.png [--spacing ANGSTROM] [--refine N] [--logarithm]
-                                     [--persistence FRACTION] [--centers FRACTION] [--zoom FACTOR]
+                                     [--neighbors N] [--persistence FRACTION] [--centers FRACTION] [--zoom FACTOR]
 
 PLUGIN is SurfaceScalars.so; MOLECULE.pqr lists atoms with charges and radii (Utilities/fetch-data.sh fetches fas2.pqr and
 achbp.pqr). The density is a sum over the atoms, exp(2.35 (1 - (distance / radius)^2)), and the surface is where it is 1: an
@@ -32,6 +32,7 @@ parser.add_argument("picture")
 parser.add_argument("--spacing", type=float, default=0.5, help="of the coarse grid")
 parser.add_argument("--refine", type=int, default=2)
 parser.add_argument("--logarithm", action="store_true")
+parser.add_argument("--neighbors", type=int, default=128, help="of a fine node on the coarse grid: fewer are faster")
 parser.add_argument("--persistence", type=float, default=0.05)
 parser.add_argument("--centers", type=float, default=0.04)
 parser.add_argument("--zoom", type=float, default=1.1)
@@ -100,7 +101,7 @@ def extended(coarse, wanted):
     """The function of the coarse grid's values at the fine nodes that are wanted."""
     target = producer(polydata(origin + step * numpy.argwhere(wanted)[:, ::-1]))
     result = RBFExtend(Input=image(coarse, options.spacing), ScalarArray=["POINTS", "Density"], Target=target,
-                       Scheme="LocalRBF", Kernel="Gaussian", KernelWidth=3 * options.spacing, NeighborCount=128)
+                       Scheme="LocalRBF", Kernel="Gaussian", KernelWidth=3 * options.spacing, NeighborCount=options.neighbors)
     return vtk_to_numpy(servermanager.Fetch(result).GetPointData().GetArray("Density"))
 
 
