@@ -130,13 +130,13 @@ void ContourRefinement::examine(PatchPiece& piece, LevelProbe& probe) const
   const Vector3d normal = this->patch_.normal(piece);
   const PieceShape shape = this->shapeOf(piece, ball, normal, probe);
   const BallVerdict verdict = this->bound_.judge(ball, shape.value, shape.slope, shape.curvature);
-  const double before = std::exchange(piece.deviation, this->deviation(piece, normal, shape, probe));
+  const double before =
+    std::exchange(piece.deviation, this->deviation(piece, normal, shape, probe));
   piece.mayBeCritical = verdict.mayBeCritical;
   piece.isClear = verdict.isClear || verdict.isFlat;
   piece.isSettled = isCrossed ? verdict.isSteep && piece.deviation <= this->limits_.tolerance
                               : piece.isClear || (verdict.isSteep && !this->mayBulge(piece, shape));
-  piece.isSettled =
-    piece.isSettled || this->isStuck(piece, isCrossed, before, shape.isFine);
+  piece.isSettled = piece.isSettled || this->isStuck(piece, isCrossed, before, shape.isFine);
 }
 
 /// Whether a jump of u is what remains to be seen.

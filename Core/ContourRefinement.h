@@ -23,8 +23,9 @@ struct RefinementLimits
  *
  * All levels of depth are done one after the other: the edges of pieces that are not good are cut
  * in the middle, their neighbors with them. Where that would take a gigabyte, as for levels of a
- * plateau, or a jump of a local scheme does not become smaller, it ends. A crossing is the root of u - level on its edge, found
- * once, from the vertex of the lower index: neighbors agree to the bit.
+ * plateau, or a jump of a local scheme does not become smaller, it ends. A crossing is the root of
+ * u - level on its edge, found once, from the vertex of the lower index: neighbors agree to the
+ * bit.
  */
 class ContourRefinement
 {

@@ -1,5 +1,6 @@
 #include "DistortionIntervals.h"
 #include "MeshFront.h"
+#include "Polyline.h"
 #include "Require.h"
 
 #include <algorithm>
@@ -22,14 +23,6 @@ struct TriangleCrossing
   Index others[2] = { 0, 0 };
   Vector3d places[2]; ///< on the edges to these
 };
-
-double distanceToSegment(const Vector3d& place, const Vector3d& from, const Vector3d& to)
-{
-  const Vector3d way = to - from;
-  const double squaredLength = way.squaredNorm();
-  const double along = squaredLength > 0.0 ? (place - from).dot(way) / squaredLength : 0.0;
-  return (from + std::clamp(along, 0.0, 1.0) * way - place).norm();
-}
 
 class Geodesics
 {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace SurfaceScalars
@@ -110,7 +111,7 @@ FirstMeetings firstMeetings(const PointsRef& vertices, const SimplicesRef& simpl
     });
   const double whole = result.shares.sum();
   require(whole > 0.0 && std::isfinite(whole), "a mesh with an area or volume",
-    textOf(whole) + " of " + std::to_string(count) + " triangles or tetrahedra",
+    std::to_string(count) + " triangles or tetrahedra of " + textOf(whole) + " in all",
     "Choose another mesh or another unit of length.");
   result.shares /= whole;
   return result;
@@ -177,11 +178,13 @@ LevelSetCoverage levelSetCoverage(const PointsRef& vertices, const SimplicesRef&
   const int stationary = lastStep(added, tolerance);
   const int last = std::min(stationary, MostUsefulSteps);
   result.isStationary = stationary == last;
-  double sum = 0.0;
-  for (int step = 1; step <= last; ++step)
+  // From the last one, so that what is met by all is 1 without rounding.
+  double left = std::accumulate(added.begin() + last + 1, added.end(), 0.0);
+  result.coverages.resize(static_cast<std::size_t>(last));
+  for (int step = last; step >= 1; --step)
   {
-    sum += added[static_cast<std::size_t>(step)];
-    result.coverages.push_back(std::min(sum, 1.0)); // rounding
+    result.coverages[static_cast<std::size_t>(step - 1)] = std::max(0.0, 1.0 - left);
+    left += added[static_cast<std::size_t>(step)];
   }
   result.isoValues = dyadicIsoValues(values, last);
   std::transform(meetings.steps.begin(), meetings.steps.end(), result.covered.begin(),

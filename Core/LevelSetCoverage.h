@@ -28,10 +28,10 @@ struct LevelSetCoverage
  * the range of its corners; each simplex counts once.
  *
  * The dichotomy ends where the coverage is stationary: no further step, up to 2^30 parts or as many
- * as numbers can tell apart, changes it by the tolerance. (The paper stops at the first such step, which for values crowded in a small
- * part of the range is the very first.) The limit of c_k is the share of the simplices on which f
- * is not constant, whatever f: it is 1 unless f has plateaus, and says nothing of how level sets
- * are distributed. What does is how many of them it takes.
+ * as numbers can tell apart, changes it by the tolerance. (The paper stops at the first such step,
+ * which for values crowded in a small part of the range is the very first.) The limit of c_k is the
+ * share of the simplices on which f is not constant, whatever f: it is 1 unless f has plateaus, and
+ * says nothing of how level sets are distributed. What does is how many of them it takes.
  *
  * Time O(n): which power of 2 is the first to meet a simplex follows from its own range.
  *

@@ -11,8 +11,9 @@ namespace SurfaceScalars
 /**
  * Distances along a mesh from places where they are given: for each vertex the least, over the
  * points q of the edges opposite to it, of the distance of q, linear along the edge, and the way
- * from q straight to the vertex. Exact for a front that is a straight line; where it is curved the
- * error falls with the square of the edges as far as they are short against its radius.
+ * from q straight to the vertex. Exact for a front that is a straight line, given at all vertices
+ * of the triangles it passes through; where it is curved the error falls with the square of the
+ * edges as far as they are short against its radius.
  *
  * Vertices are passed in the order of their distances. One whose distance falls afterwards, as it
  * may beside obtuse angles, is passed a second time; what more would add is less than 1e-5 on a

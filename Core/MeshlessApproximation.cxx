@@ -1,6 +1,7 @@
 #include "MeshlessApproximation.h"
 
 #include "CenterSum.h"
+#include "ConstantValues.h"
 #include "FarthestPoints.h"
 #include "FieldChecks.h"
 #include "GlobalSystem.h"
@@ -66,18 +67,17 @@ std::vector<Index> starsOf(const ApproximationDomain& domain,
   return distinctPlaces(domain.vertices, result, execution);
 }
 
-/// None if f is constant: what ties by index make critical is no feature of it.
+/// None if f is constant: what ties by index, or rounding, make critical is no feature of it.
 void findPersistent(const ApproximationDomain& domain, const ValuesRef& values, double threshold,
   MeshlessApproximation& result, const Execution& execution)
 {
-  const double range = values.maxCoeff() - values.minCoeff();
-  if (range == 0.0)
+  if (result.isConstant)
   {
     return;
   }
   MeshCriticalPoints critical = domain.criticalPoints(values, execution);
   const std::vector<CriticalPoint> all = critical.points;
-  removeBelow(critical.points, critical.pairs, threshold * range);
+  removeBelow(critical.points, critical.pairs, threshold * (values.maxCoeff() - values.minCoeff()));
   result.leftOut = all.size() - critical.points.size();
   auto next = all.begin();
   for (CriticalPoint& point : critical.points)
@@ -161,6 +161,7 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
 {
   check(domain, values, parameters);
   MeshlessApproximation result;
+  result.isConstant = areConstant(values);
   findPersistent(domain, values, parameters.persistenceThreshold, result, execution.part(0.0, 0.1));
   const std::vector<Index> stars = starsOf(domain, result.persistent, execution.part(0.1, 0.1));
   const std::size_t count = centerCount(result, stars, values.size(), parameters.sampleFraction);
@@ -173,7 +174,7 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
   const Values misses = (result.values - values).cwiseAbs();
   result.largestError = misses.maxCoeff();
   result.meanError = misses.mean();
-  if (result.model.highest > result.model.lowest)
+  if (!result.isConstant)
   {
     compare(domain, result, execution.part(0.95, 1.0));
   }
@@ -183,7 +184,7 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
 std::vector<std::string> remarksOn(const MeshlessApproximation& result)
 {
   std::vector<std::string> remarks;
-  if (result.model.highest == result.model.lowest)
+  if (result.isConstant)
   {
     remarks.push_back("the function is " + textOf(result.model.lowest) +
       " everywhere, so that a few centers are enough and none is critical.");

@@ -39,12 +39,13 @@ struct ApproximationParameters
 
 struct MeshlessApproximation
 {
-  FieldModel model; ///< u: scheme GlobalRBF
-  Values values;    ///< u at the vertices, as Field(model) evaluates it but for rounding
+  FieldModel model;        ///< u: scheme GlobalRBF
+  bool isConstant = false; ///< f, but for rounding: nothing is critical
+  Values values;           ///< u at the vertices, as Field(model) evaluates it but for rounding
 
   std::vector<CriticalPoint> persistent; ///< of f, interpolated with their links
   std::vector<std::size_t> lost;         ///< of these: not so in u, ascending
-  MeshCriticalPoints critical;           ///< of `values`, ties by index; none if f is constant
+  MeshCriticalPoints critical;           ///< of `values`, ties by index
   std::vector<char> prescribed;          ///< by critical point: one of f's persistent ones
   /// Critical points of f that were left out as not persistent.
   std::size_t leftOut = 0;

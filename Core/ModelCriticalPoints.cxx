@@ -1,6 +1,7 @@
 #include "ModelCriticalPoints.h"
 
 #include "CandidateSearch.h"
+#include "ConstantValues.h"
 #include "Places.h"
 #include "PointTree.h"
 #include "Require.h"
@@ -20,7 +21,6 @@ namespace
 {
 
 constexpr double Tolerance = 1e-10; // of the tangential gradient, in its scale
-constexpr double Rounding = 1e-12;  // of values, in their size: less is constant
 
 /// Tells which arrivals stand for points of u, and what becomes of the other candidates.
 class Settlement
@@ -171,7 +171,7 @@ private:
 
 double gradientScale(const PointsRef& vertices, const Triangles& triangles, const ValuesRef& values)
 {
-  if (values.maxCoeff() - values.minCoeff() <= Rounding * values.cwiseAbs().maxCoeff())
+  if (areConstant(values))
   {
     return 0.0;
   }

@@ -118,6 +118,20 @@ TEST(MeshlessApproximationInput, takesConstants)
   }
 }
 
+// So is what arithmetic makes of a constant.
+TEST(MeshlessApproximationInput, takesConstantsButForRounding)
+{
+  const TriangleMesh mesh = octahedralSphere(20);
+  Values values = Values::Constant(mesh.points.cols(), 0.3);
+  for (Eigen::Index i = 0; i < values.size(); i += 2)
+  {
+    values[i] = std::nextafter(0.3, 1.0);
+  }
+  const MeshlessApproximation result = approximated(mesh, values);
+  EXPECT_TRUE(result.persistent.empty());
+  EXPECT_LT(result.largestError, 1e-12);
+}
+
 // A plateau, which no level set meets, gets its share of centers.
 TEST(MeshlessApproximationInput, takesPlateaus)
 {
@@ -228,7 +242,6 @@ TEST(MeshlessApproximationInput, remarks)
 {
   MeshlessApproximation result;
   result.model.centers.resize(3, 6000);
-  result.model.highest = 1.0;
   result.starCount = 100;
   result.askedCount = 6000;
   EXPECT_THAT(remarksOn(result), IsEmpty());

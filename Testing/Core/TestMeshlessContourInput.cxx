@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SurfaceScalars
@@ -213,7 +213,7 @@ TEST(MeshlessContourInput, mayTouchTheLevel)
   model.lowest = -1.0;
   model.highest = 1.0;
   const MeshlessContours contours =
-    contoursOf(Field(model), centeredSquare(40, 1.9, 0.1), { 0.0 }, 1e-9, 20);
+    contoursOf(Field(model), centeredSquare(40, 1.9, 0.1), { 0.0 }, 1e-9, 10);
   EXPECT_LT(contours.evaluations, 20000000U);
 }
 

@@ -220,7 +220,8 @@ TEST(MeshlessContour, saysThatThereIsNothing)
 TEST(MeshlessContour, refusesWhatItCannotUse)
 {
   expectRefusal(contour(waveSamples(), squareMesh()), { "needs a Model" });
-  expectRefusal(contour(makeModel(), nullptr), { "needs a Surface of triangles, which is polydata, found none" });
+  expectRefusal(contour(makeModel(), nullptr),
+    { "needs a Surface of triangles, which is polydata, found none" });
   expectRefusal(
     contour(makeModel(), makeCloud(randomCube(10, 1))), { "no triangle among 0 cells" });
   expectRefusal(contour(makeModel(), squareMesh(), { 1.0, NaN }),
