@@ -1,12 +1,12 @@
 #include "LinkWalk.h"
 #include "MeshCriticalPoints.h"
 #include "MeshFunctions.h"
+#include "ValueRanks.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace SurfaceScalars::Truth
@@ -15,20 +15,6 @@ namespace
 {
 
 using VertexPairs = std::multiset<std::pair<std::size_t, std::size_t>>; ///< extremum and saddle
-
-/// The place of each vertex in the order of the values, ties by index.
-std::vector<int> ranksOf(const Values& values)
-{
-  std::vector<int> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
-  std::vector<int> ranks(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    ranks[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-  }
-  return ranks;
-}
 
 /// Persistence pairs by reduction of the boundary matrix over Z2, where each simplex comes with its
 /// highest vertex: of vertices and edges (minima), and of edges and triangles (maxima).

@@ -1,6 +1,7 @@
 #include "DisjointSets.h"
 #include "Error.h"
 #include "Meshes.h"
+#include "ValueRanks.h"
 #include "VolumeCriticalPoints.h"
 #include "VolumeExamples.h"
 
@@ -38,20 +39,6 @@ std::vector<NamedFunction> functionsOn(const Volume& volume)
   return { { "smooth", smooth }, { "noisy", smooth + 0.2 * noise }, { "random", noise },
     { "steps", noise.unaryExpr([](double value) { return std::floor(value); }) },
     { "constant", Values::Constant(smooth.size(), 3.0) } };
-}
-
-/// The place of each vertex in the order of the values, ties by index.
-std::vector<int> ranksOf(const Values& values)
-{
-  std::vector<int> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
-  std::vector<int> ranks(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    ranks[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-  }
-  return ranks;
 }
 
 /// 1 less the Euler characteristic of the lower link, which is counted: vertices, edges and
