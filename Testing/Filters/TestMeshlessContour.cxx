@@ -126,8 +126,8 @@ TEST(MeshlessContour, heedsItsProperties)
   expectSilentSuccess(update(filter));
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 5 * count);
   filter->SetMaximumRefinement(2);
-  expectWarning(
-    update(filter), { "Meshless Contour: Curves are up to ", "Tolerance of 1e-05", ", 2 times" });
+  expectWarning(update(filter),
+    { "Meshless Contour: Curves are up to ", "Tolerance of 1e-05", "MaximumRefinement (2)" });
   EXPECT_GT(fieldData(filter, "LargestDeviation")[0], 1e-5);
   filter->SetNumberOfContourValues(0);
   EXPECT_EQ(filter->GetNumberOfContourValues(), 0);
