@@ -24,12 +24,4 @@ LevelSetDistortion measureIntervals(const SimplicesRef& cells, const std::vector
 /// @throws InvalidInput unless there is a finite value for each vertex, of a finite range
 void checkLevelValues(const PointsRef& vertices, const ValuesRef& values);
 
-/// The place between two vertices at which f, linear, has a value that lies between theirs.
-inline Vector3d crossingOf(
-  const PointsRef& vertices, const ValuesRef& values, Index from, Index to, double value)
-{
-  const double parameter = (value - values[from]) / (values[to] - values[from]);
-  return (1.0 - parameter) * vertices.col(from) + parameter * vertices.col(to);
-}
-
 } // namespace SurfaceScalars

@@ -94,7 +94,7 @@ std::vector<Index> distinctPlaces(
   {
     return {};
   }
-  const Points places = columnsOf(points, indices);
+  const Points places = points(Eigen::all, indices);
   const std::vector<Index> order = mortonOrder(places, execution);
   std::vector<char> isRepeated(indices.size(), 0);
   for (std::size_t i = 1; i < order.size(); ++i)
@@ -108,26 +108,6 @@ std::vector<Index> distinctPlaces(
     {
       result.push_back(indices[i]);
     }
-  }
-  return result;
-}
-
-Points columnsOf(const PointsRef& points, const std::vector<Index>& indices)
-{
-  Points result(3, static_cast<Eigen::Index>(indices.size()));
-  for (std::size_t i = 0; i < indices.size(); ++i)
-  {
-    result.col(static_cast<Eigen::Index>(i)) = points.col(indices[i]);
-  }
-  return result;
-}
-
-Values entriesOf(const ValuesRef& values, const std::vector<Index>& indices)
-{
-  Values result(static_cast<Eigen::Index>(indices.size()));
-  for (std::size_t i = 0; i < indices.size(); ++i)
-  {
-    result[static_cast<Eigen::Index>(i)] = values[indices[i]];
   }
   return result;
 }

@@ -36,8 +36,4 @@ std::vector<Index> evenSubset(
 std::vector<Index> distinctPlaces(
   const PointsRef& points, const std::vector<Index>& indices, const Execution& execution);
 
-/// The columns of these indices.
-Points columnsOf(const PointsRef& points, const std::vector<Index>& indices);
-Values entriesOf(const ValuesRef& values, const std::vector<Index>& indices);
-
 } // namespace SurfaceScalars

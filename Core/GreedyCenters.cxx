@@ -64,7 +64,7 @@ public:
   void exchange(CenterSum& sum, const Execution& execution);
   CenterSet centers() const
   {
-    return { columnsOf(this->vertices_, this->chosen_), entriesOf(this->values_, this->chosen_),
+    return { this->vertices_(Eigen::all, this->chosen_), this->values_(this->chosen_),
       static_cast<Eigen::Index>(this->starCount_) };
   }
 
@@ -93,8 +93,8 @@ void GreedySelection::cover(const Execution& execution)
   const auto most = static_cast<std::size_t>(std::ceil(CoverShare * rest));
   const std::vector<Index> candidates =
     evenSubset(this->vertices_, PlacesPerCover * most, execution.part(0.0, 0.2));
-  const FarthestPoints cover = farthestPoints(columnsOf(this->vertices_, candidates),
-    columnsOf(this->vertices_, this->chosen_), most, execution.part(0.2, 1.0));
+  const FarthestPoints cover = farthestPoints(this->vertices_(Eigen::all, candidates),
+    this->vertices_(Eigen::all, this->chosen_), most, execution.part(0.2, 1.0));
   for (const Index candidate : cover.chosen)
   {
     this->chosen_.push_back(candidates[candidate]);
@@ -125,9 +125,9 @@ MissedPlaces GreedySelection::mostMissed(const std::vector<Index>& places, std::
   CenterSum& sum, const Execution& execution) const
 {
   sum.interpolate(this->centers(), execution.part(0.0, 0.5));
-  const Values misses = (sum.at(columnsOf(this->vertices_, places), execution.part(0.5, 1.0)) -
-    entriesOf(this->values_, places))
-                          .cwiseAbs();
+  const Values misses =
+    (sum.at(this->vertices_(Eigen::all, places), execution.part(0.5, 1.0)) - this->values_(places))
+      .cwiseAbs();
   const double rounding = Rounding * this->values_.lpNorm<Eigen::Infinity>();
   MissedPlaces result{ {}, misses.maxCoeff() };
   std::vector<Index>& order = result.vertices;
@@ -273,7 +273,7 @@ ChosenCenters greedyCenters(const Points& vertices, const ValuesRef& values,
   selection.exchange(sum, execution.part(0.7, 1.0));
   const std::vector<Index> further =
     evenSubset(vertices, FurtherPerCenter * (count - stars.size()), execution.part(1.0, 1.0));
-  return { selection.centers(), { columnsOf(vertices, further), entriesOf(values, further) } };
+  return { selection.centers(), { vertices(Eigen::all, further), values(further) } };
 }
 
 } // namespace SurfaceScalars

@@ -1,5 +1,6 @@
 #include "LevelSetCenters.h"
 
+#include "CrossedCells.h"
 #include "FarthestPoints.h"
 #include "LevelSetCoverage.h"
 #include "Quantile.h"
@@ -48,10 +49,8 @@ public:
         for (; taken < count && siteOf(taken, count, all) < end; ++taken)
         {
           const double level = first[siteOf(taken, count, all) - passed];
-          const double share = (level - this->values_[a]) / (this->values_[b] - this->values_[a]);
           const auto place = static_cast<Eigen::Index>(taken);
-          result.places.col(place) =
-            (1.0 - share) * this->domain_.vertices.col(a) + share * this->domain_.vertices.col(b);
+          result.places.col(place) = crossingOf(this->domain_.vertices, this->values_, a, b, level);
           result.values[place] = level;
         }
         passed = end;
@@ -124,14 +123,14 @@ void addSpread(
   const auto added = static_cast<Eigen::Index>(chosen.size());
   centers.places.conservativeResize(Eigen::NoChange, before + added);
   centers.values.conservativeResize(before + added);
-  centers.places.rightCols(added) = columnsOf(candidates.places, chosen);
-  centers.values.tail(added) = entriesOf(candidates.values, chosen);
+  centers.places.rightCols(added) = candidates.places(Eigen::all, chosen);
+  centers.values.tail(added) = candidates.values(chosen);
 }
 
 PlacedValues atVertices(
   const ApproximationDomain& domain, const ValuesRef& values, const std::vector<Index>& vertices)
 {
-  return { columnsOf(domain.vertices, vertices), entriesOf(values, vertices) };
+  return { domain.vertices(Eigen::all, vertices), values(vertices) };
 }
 
 } // namespace
@@ -158,14 +157,14 @@ ChosenCenters levelSetCenters(const ApproximationDomain& domain, const ValuesRef
     const PlacedValues flatValues = atVertices(domain, values, flat);
     const std::vector<Index> even =
       evenSubset(flatValues.places, CandidatesPerCenter * between, execution.part(0.8, 0.8));
-    addSpread(centers, { columnsOf(flatValues.places, even), entriesOf(flatValues.values, even) },
-      between, execution.part(0.8, 1.0));
+    addSpread(centers, { flatValues.places(Eigen::all, even), flatValues.values(even) }, between,
+      execution.part(0.8, 1.0));
   }
   std::vector<Index> further(static_cast<std::size_t>(candidates.values.size()));
   std::iota(further.begin(), further.end(), Index(0));
   further = evenPart(further, FurtherPerCenter * free);
   return { std::move(centers),
-    { columnsOf(candidates.places, further), entriesOf(candidates.values, further) } };
+    { candidates.places(Eigen::all, further), candidates.values(further) } };
 }
 
 } // namespace SurfaceScalars

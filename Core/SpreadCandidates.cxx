@@ -8,7 +8,7 @@ namespace SurfaceScalars
 SpreadCandidates::SpreadCandidates(const Points& vertices, const std::vector<Index>& candidates)
   : vertices_(vertices)
   , candidates_(candidates)
-  , places_(columnsOf(vertices, candidates))
+  , places_(vertices(Eigen::all, candidates))
   , tree_(this->places_, { 1, {} })
 {
 }
