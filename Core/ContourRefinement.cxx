@@ -251,13 +251,13 @@ bool ContourRefinement::cutUnsettled()
       unsettled.push_back(&piece);
     }
   }
-  const std::size_t most =
-    this->firstCut_ == 0 ? MostPieces : std::max(ManyPieces, this->firstCut_);
+  const bool isFirst = this->firstCut_ == 0;
+  const std::size_t most = isFirst ? MostPieces : std::max(ManyPieces, this->firstCut_);
   if (unsettled.empty() || unsettled.size() > most)
   {
     return false;
   }
-  this->firstCut_ = std::max(this->firstCut_, this->firstCut_ == 0 ? unsettled.size() : 0);
+  this->firstCut_ = isFirst ? unsettled.size() : this->firstCut_;
   for (const PatchPiece* piece : unsettled)
   {
     for (std::size_t i = 0; i < 3; ++i)
