@@ -8,9 +8,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=$(realpath "${1:-build}")
 rm -rf "$build/tidy"
-Utilities/tidy-groups.py "$build/compile_commands.json" "$build/tidy" "$PWD"/Core/*.cxx "$PWD"/Filters/*.cxx
+Utilities/tidy-groups.py "$build/compile_commands.json" "$build/tidy" "$PWD"/Core/*/*.cxx "$PWD"/Filters/*.cxx
 cp .clang-tidy "$build/tidy/"
-run-clang-tidy -p "$build/tidy" -quiet -j"$(nproc)" -header-filter='/(Core|Filters)/[^/]+$' \
+run-clang-tidy -p "$build/tidy" -quiet -j"$(nproc)" -header-filter='/(Core/[^/]+|Filters)/[^/]+$' \
   >"$build/clang-tidy.log" 2>&1 || {
   grep -E 'warning:|error:' "$build/clang-tidy.log" | sort -u
   echo "clang-tidy found something; the whole output is in $build/clang-tidy.log."

@@ -31,17 +31,22 @@ def called_names(text):
     return set(re.findall(r"\b(\w+)[({]", text))
 
 
-def grouped(sources):
+def target_of(command):
+    """What has the same options: CMake's folder for the object files."""
+    return command["output"].split(".dir/")[0]
+
+
+def grouped(sources, commands):
     groups = []
     for source in sources:
         text = text_of(source)
-        hidden, called = hidden_names(text), called_names(text)
+        hidden, called, target = hidden_names(text), called_names(text), target_of(commands[source])
         for group in groups:
             apart = hidden & (group["hidden"] | group["called"]) or called & group["hidden"]
-            if len(group["sources"]) < MOST_SOURCES and not apart and os.path.dirname(source) == group["folder"]:
+            if len(group["sources"]) < MOST_SOURCES and not apart and target == group["target"]:
                 break
         else:
-            group = {"sources": [], "hidden": set(), "called": set(), "folder": os.path.dirname(source)}
+            group = {"sources": [], "hidden": set(), "called": set(), "target": target}
             groups.append(group)
         group["sources"].append(source)
         group["hidden"] |= hidden
@@ -55,7 +60,7 @@ def main():
         commands = {entry["file"]: entry for entry in json.load(file)}
     os.makedirs(folder, exist_ok=True)
     entries = []
-    for number, group in enumerate(grouped(sources)):
+    for number, group in enumerate(grouped(sources, commands)):
         combined = os.path.join(folder, f"{number}.cxx")
         with open(combined, "w", encoding="utf-8") as file:
             file.writelines(f'#include "{source}" // NOLINT(bugprone-suspicious-include)\n' for source in group)

@@ -9,9 +9,9 @@ import sys
 
 
 def sources(text, folder):
-    """The texts of the files named in `text`; 'Core/A.h, .cxx' names two."""
+    """The texts of the files named in `text`; 'Core/Fields/Field.h, .cxx' names two."""
     texts = []
-    for path, also in re.findall(r"((?:Core|Filters)/\w+\.(?:h|cxx))(, \.cxx)?", text):
+    for path, also in re.findall(r"((?:Core/\w+|Filters)/\w+\.(?:h|cxx))(, \.cxx)?", text):
         for name in [path] + ([os.path.splitext(path)[0] + ".cxx"] if also else []):
             with open(os.path.join(folder, name), encoding="utf-8") as file:
                 texts.append(file.read())

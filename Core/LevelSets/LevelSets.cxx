@@ -1,12 +1,12 @@
 #include "LevelSets.h"
 
 #include "ContourChecks.h"
+#include "CurveOrientation.h"
 #include "CurveShaper.h"
 #include "CurveTracer.h"
 #include "EdgeCrossings.h"
 #include "EdgeSampler.h"
 #include "NeighborhoodSize.h"
-#include "Orientation.h"
 #include "Polyline.h"
 #include "SampleThreading.h"
 #include "SchemeModels.h"
