@@ -44,8 +44,8 @@ ApproximationParameters parametersOf(vtkMeshlessApproximation& filter)
 {
   checkChoice(
     "CentreSelection", filter.GetCentreSelection(), { 0, 1 }, "0 (Greedy) or 1 (LevelSets)");
-  checkChoice("LevelSetConstraints", filter.GetLevelSetConstraints(), { 0, 1 },
-    "0 (Interpolating) or 1 (LeastSquares)");
+  checkChoice("LevelSetConstraints", filter.GetLevelSetConstraints(), { 0, 1, 2 },
+    "0 (Interpolating), 1 (LeastSquares) or 2 (Minimax)");
   checkChoice("Kernel", filter.GetKernel(), { 0, 1, 2, 3, 4, 5, 6, 7, 8 },
     "0 (Gaussian), 1 (Exponential), 2 (Linear), 3 (Cubic), 4 (ThinPlate), 5 (Multiquadric), 6 "
     "(InverseMultiquadric), 7 (Wendland) or 8 (Wu)");

@@ -70,7 +70,8 @@ public:
   enum LevelSetConstraintsType
   {
     INTERPOLATING = 0, ///< f's
-    LEAST_SQUARES = 1  ///< those that come nearest to f around
+    LEAST_SQUARES = 1, ///< those that come nearest to f around
+    MINIMAX = 2        ///< those that make the largest error small
   };
 
   /// Of r = distance, h = KernelWidth, t = r / h. The numbers are fixed.

@@ -20,6 +20,7 @@ constexpr double SmallestReciprocal = 1e-14; // of a condition with which misses
 constexpr double LargestMiss = 1e-6;         // of an interpolant, of f's range
 constexpr double LargestAutomatic = 1e-10;   // the same with a width that can be reduced
 constexpr double LeastSquaresGoal = 1e-10;   // of values at centers
+constexpr std::size_t PlacesPerBlock = 64;
 
 } // namespace
 
@@ -138,7 +139,7 @@ void CenterSum::approximate(
   {
     const Values kernels = radialSums(this->kernel(), places, sums, centers.places, polling);
     const Values polynomials = this->fit_.terms().at(places).transpose() * sums;
-    return this->fit_.dependsOnValues(kernels, polynomials).tail(free);
+    return this->fit_.dependsOnValues(kernels, polynomials).bottomRows(free);
   };
   const PreconditionedSystem normalEquations{ [&](const Values& changes, const Execution& polling)
     { return transposed(changed(changes, polling), polling); },
@@ -146,7 +147,35 @@ void CenterSum::approximate(
   Values values = centers.values;
   values.tail(free) += normalEquations.solve(transposed(misses, execution.part(0.5, 0.5)),
     LeastSquaresGoal, execution.part(0.5, 1.0), this->highest_ - this->lowest_);
-  this->solve(values.array() - this->middle(), execution.part(1.0, 1.0));
+  this->takeValues(values, execution.part(1.0, 1.0));
+}
+
+void CenterSum::takeValues(const Values& values, const Execution& execution)
+{
+  this->solve(values.array() - this->middle(), execution);
+}
+
+Eigen::MatrixXd CenterSum::dependences(
+  const Points& places, Eigen::Index free, const Execution& execution) const
+{
+  Eigen::MatrixXd result(free, places.cols());
+  parallelFor(static_cast<std::size_t>(places.cols()), PlacesPerBlock, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto first = static_cast<Eigen::Index>(begin);
+      const auto block = places.middleCols(first, static_cast<Eigen::Index>(end) - first);
+      Eigen::MatrixXd kernels(this->fit_.centers().cols(), block.cols());
+      for (Eigen::Index i = 0; i < block.cols(); ++i)
+      {
+        auto column = kernels.col(i).array();
+        column = (this->fit_.centers().colwise() - block.col(i)).colwise().squaredNorm();
+        this->kernel().apply(column);
+      }
+      result.middleCols(first, block.cols()) =
+        this->fit_.dependsOnValues(kernels, this->fit_.terms().at(block).transpose())
+          .bottomRows(free);
+    });
+  return result;
 }
 
 Values CenterSum::leaveOneOutErrors(const CenterSet& centers, const Execution& execution)

@@ -51,6 +51,14 @@ public:
   void approximate(
     const CenterSet& centers, const PlacedValues& further, const Execution& execution);
 
+  /// Other values at the same centers. After interpolate(). @throws Aborted
+  void takeValues(const Values& values, const Execution& execution);
+
+  /// How much the sum at each of these places, one column each, changes with the value at each of
+  /// the last so many centers, one row each. After interpolate(). @throws Aborted
+  Eigen::MatrixXd dependences(
+    const Points& places, Eigen::Index free, const Execution& execution) const;
+
   /// By how much the sum through all other centers misses the value at each. After interpolate().
   Values leaveOneOutErrors(const CenterSet& centers, const Execution& execution);
 

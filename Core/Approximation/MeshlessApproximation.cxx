@@ -7,6 +7,7 @@
 #include "GlobalSystem.h"
 #include "GreedyCenters.h"
 #include "LevelSetCenters.h"
+#include "MinimaxValues.h"
 #include "NumberText.h"
 #include "Require.h"
 #include "SeparatedStars.h"
@@ -118,6 +119,10 @@ CenterSum fittedSum(const ApproximationDomain& domain, const ValuesRef& values,
   if (parameters.levelSetConstraints == LevelSetConstraints::LeastSquares)
   {
     sum.approximate(chosen.centers, chosen.further, execution.part(0.6, 1.0));
+  }
+  else if (parameters.levelSetConstraints == LevelSetConstraints::Minimax)
+  {
+    minimizeLargestMiss(sum, chosen.centers, domain.vertices, values, execution.part(0.6, 1.0));
   }
   else
   {

@@ -21,7 +21,8 @@ enum class CenterSelection
 enum class LevelSetConstraints
 {
   Interpolating = 0, ///< f's
-  LeastSquares = 1   ///< those that come nearest to f at four times as many places
+  LeastSquares = 1,  ///< those that come nearest to f at four times as many places
+  Minimax = 2        ///< those with which u misses f by least where it does so most
 };
 
 struct ApproximationParameters

@@ -151,20 +151,22 @@ void RadialBasisFit::solve(const ValuesRef& values)
 }
 
 /// The transpose of what solve() does, step by step.
-Values RadialBasisFit::dependsOnValues(const Values& kernels, const Values& polynomials) const
+Eigen::MatrixXd RadialBasisFit::dependsOnValues(
+  const Eigen::MatrixXd& kernels, const Eigen::MatrixXd& polynomials) const
 {
   const Eigen::Index terms = this->terms_.count();
   const Eigen::Index rest = this->matrix_.rows() - terms;
-  Values result = this->kernel_.sign() * (this->polynomials_.householderQ().adjoint() * kernels);
-  result.head(terms) = this->polynomials_.matrixQR()
-                         .topLeftCorner(terms, terms)
-                         .triangularView<Eigen::Upper>()
-                         .transpose()
-                         .solve(polynomials);
+  Eigen::MatrixXd result =
+    this->kernel_.sign() * (this->polynomials_.householderQ().adjoint() * kernels);
+  result.topRows(terms) = this->polynomials_.matrixQR()
+                            .topLeftCorner(terms, terms)
+                            .triangularView<Eigen::Upper>()
+                            .transpose()
+                            .solve(polynomials);
   if (rest > 0)
   {
-    result.tail(rest) -= this->matrix_.bottomLeftCorner(rest, terms) * result.head(terms);
-    result.tail(rest) = this->cholesky_.solve(result.tail(rest)).eval();
+    result.bottomRows(rest) -= this->matrix_.bottomLeftCorner(rest, terms) * result.topRows(terms);
+    result.bottomRows(rest) = this->cholesky_.solve(result.bottomRows(rest)).eval();
   }
   return this->polynomials_.householderQ() * result;
 }

@@ -66,8 +66,9 @@ public:
   const LinearTerms& terms() const { return this->terms_; }
 
   /// How kernels . alpha + polynomials . (the polynomial in terms()) depends on the values that are
-  /// solved for: its gradient, one entry per center. After factor().
-  Values dependsOnValues(const Values& kernels, const Values& polynomials) const;
+  /// solved for: its gradient, one entry per center; for each column. After factor().
+  Eigen::MatrixXd dependsOnValues(
+    const Eigen::MatrixXd& kernels, const Eigen::MatrixXd& polynomials) const;
 
   /// Estimate of 1 / condition of the factored matrix, 0 if it is not positive definite.
   double reciprocalCondition() const;

@@ -270,6 +270,51 @@ TEST(MeshlessApproximation, leastSquaresSmooths)
   }
 }
 
+/// The largest weighted mean square that least squares leave is no more than the square of the
+/// least largest error, whatever the weights: those of Lawson's algorithm come near.
+double boundOfLargest(const Eigen::MatrixXd& matrix, const Values& right)
+{
+  Values weights = Values::Constant(right.size(), 1.0 / static_cast<double>(right.size()));
+  double bound = 0.0;
+  for (int step = 0; step < 100; ++step)
+  {
+    const Values roots = weights.cwiseSqrt();
+    const Values solution = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(roots.asDiagonal() * matrix)
+                              .solve(roots.cwiseProduct(right));
+    const Values errors = (matrix * solution - right).cwiseAbs();
+    bound = std::max(bound, std::sqrt(weights.dot(errors.cwiseAbs2())));
+    weights = weights.cwiseProduct(errors);
+    weights /= weights.sum();
+  }
+  return bound;
+}
+
+// Minimax is nearly the least largest error that sums on these centers can have if they interpolate
+// the stars, and below that of interpolation: with all vertices looked at, and with some.
+TEST(MeshlessApproximation, minimaxIsNearlyLeast)
+{
+  for (const int size : { 7, 16 })
+  {
+    const TriangleMesh mesh = octahedralSphere(size);
+    const Values values = waves(mesh.points, 3.0);
+    ApproximationParameters parameters = withFraction(size == 7 ? 0.3 : 0.04, 0.2);
+    const MeshlessApproximation through = approximated(mesh, values, parameters);
+    parameters.levelSetConstraints = LevelSetConstraints::Minimax;
+    const MeshlessApproximation result = approximated(mesh, values, parameters);
+
+    const Eigen::MatrixXd cardinal = cardinalFunctions(result.model.centers, mesh.points);
+    const Values ofStars = cardinal.leftCols(result.starCount) *
+      Field(through.model).evaluate(result.model.centers.leftCols(result.starCount), {}).values;
+    const Eigen::Index free = result.model.centers.cols() - result.starCount;
+    const double bound = boundOfLargest(cardinal.rightCols(free), values - ofStars);
+    EXPECT_GE(result.largestError, 0.999 * bound);
+    EXPECT_LE(result.largestError, 1.15 * bound);
+    EXPECT_LE(result.largestError, 0.9 * through.largestError);
+    EXPECT_LE(largestMissAtStars(mesh, values, result), 1e-9 * rangeOf(values));
+    EXPECT_TRUE(result.lost.empty());
+  }
+}
+
 // Every kernel, its width chosen, is well conditioned and interpolates the stars.
 TEST(MeshlessApproximation, isWellConditionedWithEveryKernel)
 {
@@ -295,11 +340,14 @@ TEST(MeshlessApproximation, doesNotDependOnThreads)
   const TriangleMesh mesh = torus(60);
   Values values = waves(mesh.points, 3.0);
   addNoise(values, 0.01, 1);
-  for (const CenterSelection selection : { CenterSelection::Greedy, CenterSelection::LevelSets })
+  for (const LevelSetConstraints constraints :
+    { LevelSetConstraints::LeastSquares, LevelSetConstraints::Minimax })
   {
     ApproximationParameters parameters = withFraction(0.2, 0.2);
-    parameters.centerSelection = selection;
-    parameters.levelSetConstraints = LevelSetConstraints::LeastSquares;
+    parameters.centerSelection = constraints == LevelSetConstraints::Minimax
+      ? CenterSelection::Greedy
+      : CenterSelection::LevelSets;
+    parameters.levelSetConstraints = constraints;
     const MeshlessApproximation one = approximated(mesh, values, parameters, 1);
     const MeshlessApproximation three = approximated(mesh, values, parameters, 3);
     EXPECT_EQ(one.values, three.values);

@@ -258,12 +258,15 @@ TEST(MeshlessApproximationInput, reportsAndAborts)
 {
   const TriangleMesh mesh = octahedralSphere(16);
   const Values values = hills(mesh.points);
-  for (const CenterSelection selection : { CenterSelection::Greedy, CenterSelection::LevelSets })
+  for (const LevelSetConstraints constraints : { LevelSetConstraints::Interpolating,
+         LevelSetConstraints::LeastSquares, LevelSetConstraints::Minimax })
   {
     ApproximationParameters parameters;
     parameters.sampleFraction = 0.2;
-    parameters.centerSelection = selection;
-    parameters.levelSetConstraints = LevelSetConstraints::LeastSquares;
+    parameters.centerSelection = constraints == LevelSetConstraints::LeastSquares
+      ? CenterSelection::LevelSets
+      : CenterSelection::Greedy;
+    parameters.levelSetConstraints = constraints;
     std::vector<double> told;
     approximated(mesh, values, parameters,
       { 2,

@@ -163,7 +163,7 @@ TEST(MeshlessApproximationInput, numbersOutOfTheirRange)
   expectRefused([](Filter& filter) { filter.SetRegularization(-1.0); }, { "Regularization" });
   expectRefused([](Filter& filter) { filter.SetCentreSelection(2); }, { "CentreSelection" });
   expectRefused(
-    [](Filter& filter) { filter.SetLevelSetConstraints(2); }, { "LevelSetConstraints" });
+    [](Filter& filter) { filter.SetLevelSetConstraints(3); }, { "LevelSetConstraints" });
   expectRefused(
     [](Filter& filter)
     {

@@ -223,7 +223,7 @@ PROXIES = {
         "ports": ["Output", "Model", "CriticalPoints"],
         "enumerations": {
             "CentreSelection": {"Greedy": 0, "LevelSets": 1},
-            "LevelSetConstraints": {"Interpolating": 0, "LeastSquares": 1},
+            "LevelSetConstraints": {"Interpolating": 0, "LeastSquares": 1, "Minimax": 2},
             "Kernel": KERNELS,
         },
         "defaults": {

@@ -1,0 +1,139 @@
+#include "MinimaxSystem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace SurfaceScalars
+{
+namespace
+{
+
+constexpr int Steps = 40;
+constexpr double Relaxation = 1.6; // 1.5 to 1.8 are usual
+constexpr double PeakShare = 0.15; // of the errors in sum
+constexpr Eigen::Index RowsPerBlock = 64;
+constexpr Eigen::Index EquationsPerBlock = 1024;
+
+/// Values cut off at the level above which there is this much of them in sum: the proximal map of
+/// the largest one.
+Values withoutPeaks(const Values& values, double peaks)
+{
+  Values sorted = values.cwiseAbs();
+  std::sort(sorted.begin(), sorted.end(), std::greater<>());
+  double sum = 0.0;
+  double level = 0.0;
+  for (Eigen::Index i = 0; i < sorted.size() && sorted[i] > level; ++i)
+  {
+    sum += sorted[i];
+    level = std::max((sum - peaks) / static_cast<double>(i + 1), 0.0);
+  }
+  return values.cwiseMax(-level).cwiseMin(level);
+}
+
+Values withMore(const Values& values, const Values& more)
+{
+  Values result(values.size() + more.size());
+  result << values, more;
+  return result;
+}
+
+} // namespace
+
+void MinimaxSystem::addToNormalMatrix(const Eigen::MatrixXd& transposed, const Execution& execution)
+{
+  const auto blocks =
+    static_cast<std::size_t>((transposed.rows() + RowsPerBlock - 1) / RowsPerBlock);
+  parallelForEach(blocks, execution,
+    [&](std::size_t block, const Poll& poll)
+    {
+      const Eigen::Index first = static_cast<Eigen::Index>(block) * RowsPerBlock;
+      const Eigen::Index rest = transposed.rows() - first;
+      const Eigen::Index width = std::min(RowsPerBlock, rest);
+      for (Eigen::Index begin = 0; begin < transposed.cols(); begin += EquationsPerBlock)
+      {
+        poll();
+        const auto columns = transposed.bottomRows(rest).middleCols(
+          begin, std::min(EquationsPerBlock, transposed.cols() - begin));
+        this->normal_.block(first, first, rest, width).noalias() +=
+          columns * columns.topRows(width).transpose();
+      }
+    });
+}
+
+void MinimaxSystem::add(
+  const Eigen::MatrixXd& transposed, const Values& right, const Execution& execution)
+{
+  const Eigen::Index unknowns = transposed.rows();
+  if (this->right_.size() == 0)
+  {
+    this->normal_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  }
+  this->addToNormalMatrix(transposed, execution.part(0.0, 0.7));
+  this->factors_.compute(this->normal_, execution.part(0.7, 1.0));
+  this->transposed_.conservativeResize(unknowns, this->right_.size() + right.size());
+  this->transposed_.rightCols(right.size()) = transposed;
+  this->right_ = withMore(this->right_, right);
+}
+
+/// B x
+Values MinimaxSystem::product(const Values& unknowns, const Execution& execution) const
+{
+  Values result(this->right_.size());
+  parallelFor(static_cast<std::size_t>(result.size()), EquationsPerBlock, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto first = static_cast<Eigen::Index>(begin);
+      const auto count = static_cast<Eigen::Index>(end) - first;
+      result.segment(first, count).noalias() =
+        this->transposed_.middleCols(first, count).transpose() * unknowns;
+    });
+  return result;
+}
+
+/// Least squares.
+Values MinimaxSystem::closestTo(const Values& wanted, const Execution& execution) const
+{
+  Values result(this->transposed_.rows());
+  parallelFor(static_cast<std::size_t>(result.size()), RowsPerBlock, execution,
+    [&](std::size_t begin, std::size_t end)
+    {
+      const auto first = static_cast<Eigen::Index>(begin);
+      const auto count = static_cast<Eigen::Index>(end) - first;
+      result.segment(first, count).noalias() = this->transposed_.middleRows(first, count) * wanted;
+    });
+  return this->factors_.solve(result);
+}
+
+Values MinimaxSystem::solve(const Execution& execution)
+{
+  Values best = this->closestTo(this->right_, execution.part(0.0, 0.0));
+  Values errors = this->right_ - this->product(best, execution.part(0.0, 0.0));
+  double least = errors.lpNorm<Eigen::Infinity>();
+  const double peaks = PeakShare * errors.lpNorm<1>();
+  const Eigen::Index more = errors.size() - this->cut_.size();
+  this->errors_ = withMore(this->errors_, errors.tail(more));
+  this->cut_ = withMore(this->cut_, errors.tail(more));
+  this->multipliers_ = withMore(this->multipliers_, Values::Zero(more));
+  for (int step = 0; step < Steps; ++step)
+  {
+    const Execution ofStep =
+      execution.part(static_cast<double>(step) / Steps, static_cast<double>(step + 1) / Steps);
+    const Values relaxed =
+      Relaxation * this->errors_ + (1.0 - Relaxation) * this->cut_ - this->multipliers_;
+    this->cut_ = withoutPeaks(relaxed, peaks);
+    this->multipliers_ = this->cut_ - relaxed;
+    const Values unknowns =
+      this->closestTo(this->right_ - this->cut_ - this->multipliers_, ofStep.part(0.0, 0.5));
+    this->errors_ = this->right_ - this->product(unknowns, ofStep.part(0.5, 1.0));
+    const double largest = this->errors_.lpNorm<Eigen::Infinity>();
+    if (largest < least)
+    {
+      least = largest;
+      best = unknowns;
+    }
+  }
+  return best;
+}
+
+} // namespace SurfaceScalars
