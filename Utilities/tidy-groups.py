@@ -33,7 +33,7 @@ def called_names(text):
 
 def target_of(command):
     """What has the same options: CMake's folder for the object files."""
-    return command["output"].split(".dir/")[0]
+    return re.search(r" -o (\S+)\.dir/", command["command"])[1]  # not every CMake says it in an entry of its own
 
 
 def grouped(sources, commands):
