@@ -10,6 +10,7 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -201,13 +202,20 @@ void acceptTargets(vtkInformation* port)
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
 }
 
-void giveType(vtkInformation* output, const char* type)
+void giveTypes(
+  vtkAlgorithm& filter, vtkDataObject* model, const char* otherwise, vtkInformationVector* outputs)
 {
-  vtkDataObject* present = vtkDataObject::GetData(output);
-  if (!present || std::string(present->GetClassName()) != type)
+  for (int port = 0; port < filter.GetNumberOfOutputPorts(); ++port)
   {
-    output->Set(vtkDataObject::DATA_OBJECT(),
-      vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type)));
+    const std::string type = port != 0
+      ? filter.GetOutputPortInformation(port)->Get(vtkDataObject::DATA_TYPE_NAME())
+      : (model ? model->GetClassName() : otherwise);
+    const vtkDataObject* present = vtkDataObject::GetData(outputs, port);
+    if (!present || type != present->GetClassName())
+    {
+      outputs->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(),
+        vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type.c_str())));
+    }
   }
 }
 

@@ -42,8 +42,10 @@ TargetRequest targetRequestOf(Filter& filter, const std::string& valueName)
 /// Makes a port accept any dataset and composites of them.
 void acceptTargets(vtkInformation* port);
 
-/// For RequestDataObject(): gives an output port an empty object of this type unless it has one.
-void giveType(vtkInformation* output, const char* type);
+/// For RequestDataObject(): gives output 0 an empty object of the model's type, or of `otherwise`
+/// without a model, and the other ports those of their declared types; not to ports that have them.
+void giveTypes(
+  vtkAlgorithm& filter, vtkDataObject* model, const char* otherwise, vtkInformationVector* outputs);
 
 /// For RequestUpdateExtent(), of data with an extent: without a request of its own an input would
 /// get that of the output.

@@ -162,10 +162,7 @@ int vtkLevelSetDistribution::FillOutputPortInformation(int port, vtkInformation*
 int vtkLevelSetDistribution::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  giveType(outputs->GetInformationObject(0), input ? input->GetClassName() : "vtkPolyData");
-  giveType(outputs->GetInformationObject(CoveragePort), "vtkTable");
-  giveType(outputs->GetInformationObject(DistortionPort), "vtkTable");
+  giveTypes(*this, vtkDataObject::GetData(inputs[0]), "vtkPolyData", outputs);
   return 1;
 }
 

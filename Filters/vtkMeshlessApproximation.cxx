@@ -150,10 +150,7 @@ int vtkMeshlessApproximation::FillOutputPortInformation(int port, vtkInformation
 int vtkMeshlessApproximation::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  giveType(outputs->GetInformationObject(0), input ? input->GetClassName() : "vtkPolyData");
-  giveType(outputs->GetInformationObject(ModelPort), "vtkPolyData");
-  giveType(outputs->GetInformationObject(CriticalPort), "vtkPolyData");
+  giveTypes(*this, vtkDataObject::GetData(inputs[0]), "vtkPolyData", outputs);
   return 1;
 }
 

@@ -68,8 +68,7 @@ int vtkRBFEvaluate::FillOutputPortInformation(int, vtkInformation* information)
 int vtkRBFEvaluate::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataObject* target = vtkDataObject::GetData(inputs[1]);
-  giveType(outputs->GetInformationObject(0), target ? target->GetClassName() : "vtkPolyData");
+  giveTypes(*this, vtkDataObject::GetData(inputs[1]), "vtkPolyData", outputs);
   return 1;
 }
 

@@ -128,9 +128,7 @@ int vtkRBFExtend::ProcessRequest(
   {
     return this->Superclass::ProcessRequest(request, inputs, outputs);
   }
-  vtkDataObject* target = vtkDataObject::GetData(targetOf(inputs));
-  giveType(outputs->GetInformationObject(0), target ? target->GetClassName() : "vtkImageData");
-  giveType(outputs->GetInformationObject(1), "vtkPolyData");
+  giveTypes(*this, vtkDataObject::GetData(targetOf(inputs)), "vtkImageData", outputs);
   return 1;
 }
 
