@@ -1,12 +1,13 @@
 // What meshless approximation promises, and Tables 2 and 4 of the design paper, as tables in
 // Markdown; fails if a promise is not kept.
 //
-//   surface-scalars-approximation-truth [reduced] [selection] [noise] [saving] [FOLDER]
+//   surface-scalars-approximation-truth [reduced] [selection] [noise] [saving] [meshes FOLDER]
 //
 // selection: centers by choice against as many others, on the meshes of a folder as well; noise:
 // Table 2; saving: Table 4.
 
 #include "ApproximationTruth.h"
+#include "Arguments.h"
 #include "GeodesicDistance.h"
 #include "LaplacianFunctions.h"
 #include "MarkdownReport.h"
@@ -325,24 +326,19 @@ void reportSaving(MarkdownReport& report, bool isReduced)
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto has = [&](const char* word)
-  { return std::find(arguments.begin(), arguments.end(), word) != arguments.end(); };
-  const bool isReduced = has("reduced");
-  const bool hasFolder = !arguments.empty() && std::filesystem::is_directory(arguments.back());
-  const bool isAll = !has("selection") && !has("noise") && !has("saving");
+  const Arguments arguments(argc, argv, { "selection", "noise", "saving" }, { "meshes" });
   MarkdownReport report;
-  if (isAll || has("selection"))
+  if (arguments.wants("selection"))
   {
-    reportSelection(report, hasFolder ? arguments.back() : "", isReduced);
+    reportSelection(report, arguments.valueOf("meshes"), arguments.isReduced());
   }
-  if (isAll || has("noise"))
+  if (arguments.wants("noise"))
   {
-    reportNoise(report, isReduced);
+    reportNoise(report, arguments.isReduced());
   }
-  if (isAll || has("saving"))
+  if (arguments.wants("saving"))
   {
-    reportSaving(report, isReduced);
+    reportSaving(report, arguments.isReduced());
   }
   return report.exitCode();
 }

@@ -6,6 +6,7 @@
 // surfaces: meshes of known surfaces, finer and finer; guesses: Table 3 and Figs. 12 and 13 of the
 // design paper; meshes: scans and models in OFF format.
 
+#include "Arguments.h"
 #include "ClassificationGuesses.h"
 #include "CriticalScore.h"
 #include "MarkdownReport.h"
@@ -161,23 +162,19 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto has = [&](const char* word)
-  { return std::find(arguments.begin(), arguments.end(), word) != arguments.end(); };
-  const bool isReduced = has("reduced");
-  const bool isAll = arguments.size() == (isReduced ? 1U : 0U);
+  const Arguments arguments(argc, argv, { "surfaces", "guesses", "meshes" }, { "meshes" });
   MarkdownReport report;
-  if (isAll || has("surfaces"))
+  if (arguments.wants("surfaces"))
   {
-    reportSurfaces(report, isReduced);
+    reportSurfaces(report, arguments.isReduced());
   }
-  if (isAll || has("guesses"))
+  if (arguments.wants("guesses"))
   {
-    reportGuesses(report, isReduced);
+    reportGuesses(report, arguments.isReduced());
   }
-  if (has("meshes"))
+  if (arguments.has("meshes"))
   {
-    reportMeshes(report, arguments.back());
+    reportMeshes(report, arguments.valueOf("meshes"));
   }
   return report.exitCode();
 }

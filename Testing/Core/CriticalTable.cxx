@@ -2,59 +2,49 @@
 // The exit code tells whether the defaults keep their promises.
 
 #include "CriticalTable.h"
+#include "Arguments.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 using namespace SurfaceScalars::Truth;
 
 // usage: surface-scalars-critical-truth [reduced] [truth] [surfaces] [stability] [calibration]
-// [starts]
-//   [meshes FOLDER] [drawn SEED] [curve FILE.csv]
+//   [starts] [meshes FOLDER] [drawn SEED] [curve FILE.csv]
 // Without names of parts, all that need no data.
-int main(int argumentCount, char** arguments)
+int main(int argc, char** argv)
 {
-  const std::vector<std::string> words(arguments + 1, arguments + argumentCount);
-  const auto has = [&](const std::string& word)
-  { return std::find(words.begin(), words.end(), word) != words.end(); };
-  const auto after = [&](const std::string& word)
-  {
-    const auto found = std::find(words.begin(), words.end(), word);
-    return found == words.end() || found + 1 == words.end() ? std::string() : *(found + 1);
-  };
-  const std::vector<std::string> parts{ "truth", "surfaces", "stability", "calibration", "starts",
-    "meshes", "drawn" };
-  const bool all = std::none_of(parts.begin(), parts.end(), has);
-  const bool reduced = has("reduced");
+  const Arguments arguments(argc, argv,
+    { "truth", "surfaces", "stability", "calibration", "starts", "meshes", "drawn" },
+    { "meshes", "drawn", "curve" });
   MarkdownReport report;
-  if (all || has("truth"))
+  if (arguments.wants("truth"))
   {
-    reportTruth(report, reduced);
+    reportTruth(report, arguments.isReduced());
   }
-  if (all || has("surfaces"))
+  if (arguments.wants("surfaces"))
   {
-    reportSurfaces(report, reduced);
+    reportSurfaces(report, arguments.isReduced());
   }
-  if (all || has("stability"))
+  if (arguments.wants("stability"))
   {
     reportStability(report);
   }
-  if (all || has("calibration"))
+  if (arguments.wants("calibration"))
   {
-    reportCalibration(report, reduced, after("curve"));
+    reportCalibration(report, arguments.isReduced(), arguments.valueOf("curve"));
   }
-  if (all || has("starts"))
+  if (arguments.wants("starts"))
   {
     reportStarts(report);
   }
-  if (has("meshes"))
+  if (arguments.has("meshes"))
   {
-    reportMeshes(report, after("meshes"));
+    reportMeshes(report, arguments.valueOf("meshes"));
   }
-  if (has("drawn"))
+  if (arguments.has("drawn"))
   {
-    reportDrawn(report, after("meshes"), static_cast<unsigned>(std::stoul(after("drawn"))));
+    reportDrawn(report, arguments.valueOf("meshes"),
+      static_cast<unsigned>(std::stoul(arguments.valueOf("drawn"))));
   }
   return report.exitCode();
 }

@@ -1,11 +1,12 @@
 // Whether designed functions have the critical points that are asked for, and which others, as
 // tables in Markdown; fails if one that must be there is not.
 //
-//   surface-scalars-design-truth [reduced] [requests] [places [FOLDER]] [tradeoff]
+//   surface-scalars-design-truth [reduced] [requests] [places] [tradeoff] [meshes FOLDER]
 //
 // requests: random points on meshes of genus 0 to 3; places: where functions have their critical
 // points anyway, on the elephants of a folder as well; tradeoff: least squares by epsilon.
 
+#include "Arguments.h"
 #include "DesignRequests.h"
 #include "LaplacianFunctions.h"
 #include "MarkdownReport.h"
@@ -283,24 +284,19 @@ void reportTradeoff(const MarkdownReport& report, bool isReduced)
 
 int main(int argc, char** argv)
 {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const auto has = [&](const char* word)
-  { return std::find(arguments.begin(), arguments.end(), word) != arguments.end(); };
-  const bool isReduced = has("reduced");
-  const bool isAll = arguments.size() == (isReduced ? 1U : 0U);
-  const bool hasFolder = !isAll && std::filesystem::is_directory(arguments.back());
+  const Arguments arguments(argc, argv, { "requests", "places", "tradeoff" }, { "meshes" });
   MarkdownReport report;
-  if (isAll || has("requests"))
+  if (arguments.wants("requests"))
   {
-    reportRequests(report, isReduced);
+    reportRequests(report, arguments.isReduced());
   }
-  if (isAll || has("places"))
+  if (arguments.wants("places"))
   {
-    reportPlaces(report, hasFolder ? arguments.back() : "", isReduced);
+    reportPlaces(report, arguments.valueOf("meshes"), arguments.isReduced());
   }
-  if (isAll || has("tradeoff"))
+  if (arguments.wants("tradeoff"))
   {
-    reportTradeoff(report, isReduced);
+    reportTradeoff(report, arguments.isReduced());
   }
   return report.exitCode();
 }

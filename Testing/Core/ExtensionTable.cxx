@@ -1,6 +1,7 @@
 // Prints how accurate fields are between their samples, as tables in Markdown for Documentation.
 // The exit code tells whether the schemes converge as theory says.
 
+#include "Arguments.h"
 #include "Field.h"
 #include "Functions.h"
 #include "MarkdownReport.h"
@@ -173,16 +174,14 @@ void printNoisyTorus()
 } // namespace
 
 // Without arguments all tables; otherwise those named: convergence, noise.
-int main(int argumentCount, char** arguments)
+int main(int argc, char** argv)
 {
-  const std::vector<std::string> wanted(arguments + 1, arguments + argumentCount);
-  const auto prints = [&](const char* name)
-  { return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
-  if (prints("convergence"))
+  const Arguments arguments(argc, argv, { "convergence", "noise" });
+  if (arguments.wants("convergence"))
   {
     printConvergence();
   }
-  if (prints("noise"))
+  if (arguments.wants("noise"))
   {
     printNoisyTorus();
   }

@@ -1,11 +1,12 @@
 // Euler's formula and the types of vertices on meshes, as a table in Markdown; fails if a count is
 // wrong.
 //
-//   surface-scalars-mesh-truth [FOLDER]
+//   surface-scalars-mesh-truth [meshes FOLDER]
 //
 // on every mesh in OFF format of the folder and on generated ones of genus 0 to 30, with boundary
 // and with a twist. Meshes that are refused are listed with the reason.
 
+#include "Arguments.h"
 #include "LinkWalk.h"
 #include "MarkdownReport.h"
 #include "MeshCriticalPoints.h"
@@ -159,14 +160,15 @@ int main(int argc, char** argv)
 {
   try
   {
+    const Arguments arguments(argc, argv, {}, { "meshes" });
     MarkdownReport report;
     report.head("Minima, saddles and maxima of meshes",
       { "mesh", "vertices", "components", "genus", "χ", "smooth", "noisy", "random", "steps",
         "constant", "m − s + M = χ", "as walked", "pairs keep χ" });
     reportGenerated(report);
-    if (argc > 1)
+    if (arguments.has("meshes"))
     {
-      const std::vector<Refusal> refusals = reportFolder(report, argv[1]);
+      const std::vector<Refusal> refusals = reportFolder(report, arguments.valueOf("meshes"));
       report.head("Refused", { "mesh", "reason" });
       for (const Refusal& refusal : refusals)
       {

@@ -1,6 +1,7 @@
 // Prints how accurate Tikhonov's smoothing and the choice of epsilon are, as tables in Markdown for
 // Documentation. The exit code tells whether the bounds hold.
 
+#include "Arguments.h"
 #include "LaplacianFunctions.h"
 #include "MarkdownReport.h"
 #include "Meshes.h"
@@ -115,11 +116,12 @@ void printCrossValidation(MarkdownReport& report, const std::vector<SmoothingCas
 } // namespace
 
 // usage: surface-scalars-smoothing-accuracy [meshes FOLDER]
-int main(int argumentCount, char** arguments)
+int main(int argc, char** argv)
 {
+  const Arguments arguments(argc, argv, {}, { "meshes" });
   MarkdownReport report;
   printGains(report);
   printEigenvalues(report);
-  printCrossValidation(report, smoothingCases(argumentCount > 2 ? arguments[2] : std::string()));
+  printCrossValidation(report, smoothingCases(arguments.valueOf("meshes")));
   return report.exitCode();
 }

@@ -1,6 +1,7 @@
 // Prints what smoothing keeps of a function under noise, as tables in Markdown for Documentation.
 // The exit code tells whether FeaturePreserving keeps its promise.
 
+#include "Arguments.h"
 #include "MarkdownReport.h"
 #include "Meshes.h"
 #include "SmoothingRun.h"
@@ -180,19 +181,16 @@ void print(const MarkdownReport& report, const std::string& title,
 } // namespace
 
 // usage: surface-scalars-smoothing-truth [reduced] [compare] [meshes FOLDER]
-int main(int argumentCount, char** arguments)
+int main(int argc, char** argv)
 {
-  const std::vector<std::string> words(arguments + 1, arguments + argumentCount);
-  const auto find = [&](const char* word) { return std::find(words.begin(), words.end(), word); };
-  const auto meshes = find("meshes");
-  const std::string folder =
-    meshes == words.end() || meshes + 1 == words.end() ? std::string() : *(meshes + 1);
-  const bool isReduced = find("reduced") != words.end();
+  const Arguments arguments(argc, argv, { "compare" }, { "meshes" });
+  const bool isReduced = arguments.isReduced();
   MarkdownReport report;
   Table cases;
   Table promises;
   std::array<Table, 3> comparisons;
-  for (const SmoothingCase& smoothingCase : smoothingCases(folder, isReduced ? 1 : 2))
+  for (const SmoothingCase& smoothingCase :
+    smoothingCases(arguments.valueOf("meshes"), isReduced ? 1 : 2))
   {
     cases.push_back({ smoothingCase.name, smoothingCase.functionName,
       std::to_string(smoothingCase.mesh.points.cols()),
@@ -205,7 +203,7 @@ int main(int argumentCount, char** arguments)
       const Comparison comparison(smoothingCase, mesh, noise);
       promises.push_back(comparison.promise(report, isReduced ? ReducedBound : FullBound));
       std::fprintf(stderr, "%s, noise %g\n", smoothingCase.name.c_str(), noise);
-      if (find("compare") != words.end())
+      if (arguments.has("compare"))
       {
         const auto rows = comparison.rows();
         for (std::size_t i = 0; i < rows.size(); ++i)

@@ -1,6 +1,7 @@
 // Prints how right and how accurate the level sets are, as tables in Markdown for Documentation.
 // The exit code tells whether the default scheme keeps its promises.
 
+#include "Arguments.h"
 #include "MarkdownReport.h"
 #include "TruthRun.h"
 
@@ -147,20 +148,18 @@ void printSchemes()
 } // namespace
 
 // Without arguments all tables; otherwise those named: clean, noise, schemes.
-int main(int argumentCount, char** arguments)
+int main(int argc, char** argv)
 {
-  const std::vector<std::string> wanted(arguments + 1, arguments + argumentCount);
-  const auto prints = [&](const char* name)
-  { return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
-  if (prints("clean"))
+  const Arguments arguments(argc, argv, { "clean", "noise", "schemes" });
+  if (arguments.wants("clean"))
   {
     printDefaultScheme();
   }
-  if (prints("noise"))
+  if (arguments.wants("noise"))
   {
     printNoise();
   }
-  if (prints("schemes"))
+  if (arguments.wants("schemes"))
   {
     printSchemes();
   }
