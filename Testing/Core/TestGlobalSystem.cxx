@@ -1,7 +1,6 @@
 #include "Error.h"
 #include "Field.h"
-#include "GlobalSystem.h"
-#include "RadialTruth.h"
+#include "GlobalSystemTest.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,16 +15,6 @@ namespace
 {
 
 using testing::HasSubstr;
-
-FieldParameters parametersOf(KernelType kernel, double width, double regularization = 0.0)
-{
-  FieldParameters result;
-  result.scheme = Scheme::GlobalRBF;
-  result.kernel = kernel;
-  result.kernelWidth = width;
-  result.regularization = regularization;
-  return result;
-}
 
 double widthOf(KernelType kernel)
 {
@@ -45,28 +34,6 @@ double missOf(const PointCloud& cloud, const GlobalSum& sum, const Values& value
 {
   return (evaluate(cloud, sum, cloud.points()) - values).lpNorm<Eigen::Infinity>() /
     (values.maxCoeff() - values.minCoeff());
-}
-
-/// The support that reaches this many points around a typical one.
-double supportOf(const PointCloud& cloud, int count)
-{
-  Neighborhood found;
-  cloud.nearest(cloud.points().col(cloud.pointCount() / 2), count, found);
-  return std::sqrt(found.squaredDistances.back());
-}
-
-std::string refusalOf(const PointCloud& cloud, const FieldParameters& parameters)
-{
-  const Values values = Truth::valuesOf(Truth::wave, cloud.points());
-  try
-  {
-    GlobalSystem({ cloud, values }, parameters, {}).solve(values, {});
-  }
-  catch (const InvalidInput& refusal)
-  {
-    return refusal.what();
-  }
-  return "nothing";
 }
 
 // (9) with (10) as they stand, for every kernel, with and without regularization.
@@ -264,71 +231,6 @@ TEST(GlobalSystem, automaticWidthLeavesTheLeastError)
   }
 }
 
-// Too many points for a kernel without end: the sentence says how many may be, how many are, and
-// what to do. Too wide a support likewise.
-TEST(GlobalSystem, refusesTooManyPoints)
-{
-  const PointCloud cloud(Truth::randomBox(6001, 12));
-  EXPECT_THAT(refusalOf(cloud, parametersOf(KernelType::Cubic, 0.0)),
-    AllOf(HasSubstr("6000"), HasSubstr("6001"), HasSubstr("Cubic"), HasSubstr("Wendland")));
-  const PointCloud many(Truth::randomBox(20000, 13));
-  EXPECT_THAT(refusalOf(many, parametersOf(KernelType::Wendland, 50.0)),
-    AllOf(HasSubstr("10000"), HasSubstr("20000"), HasSubstr("KernelWidth")));
-}
-
-// A width that makes the system singular: the sentence names kernel, width, condition and remedy.
-TEST(GlobalSystem, refusesSingularWidths)
-{
-  const PointCloud cloud(Truth::randomBox(200, 14));
-  EXPECT_THAT(refusalOf(cloud, parametersOf(KernelType::Gaussian, 17.0)),
-    AllOf(HasSubstr("Gaussian"), HasSubstr("17"), HasSubstr("condition"),
-      HasSubstr("Lower KernelWidth"), HasSubstr("Regularization")));
-  EXPECT_EQ(refusalOf(cloud, parametersOf(KernelType::Gaussian, 17.0, 1e-6)), "nothing");
-}
-
-// A kernel without a width is not tried with others: a singular system is factored once, and the
-// sentence speaks of the samples, not of a width that nobody set.
-TEST(GlobalSystem, refusesSingularSamplesAtOnce)
-{
-  Points points = Truth::randomBox(200, 19);
-  points.col(1) = points.col(0) + Vector3d(1e-9, 0.0, 0.0);
-  const PointCloud pair(points);
-  const Values values = Truth::valuesOf(Truth::wave, pair.points());
-  const auto callsUntilRefused = [&](double width)
-  {
-    int calls = 0;
-    const Execution execution{ 1, [&](double) { return ++calls > 0; } };
-    EXPECT_THROW(GlobalSystem({ pair, values }, parametersOf(KernelType::Cubic, width), execution),
-      InvalidInput);
-    return calls;
-  };
-  EXPECT_EQ(callsUntilRefused(0.0), callsUntilRefused(1.0));
-
-  points.col(1) = Vector3d(1e6, 0.0, 0.0);
-  for (const Points& samples : { points, pair.points() })
-  {
-    EXPECT_THAT(refusalOf(PointCloud(samples), parametersOf(KernelType::Cubic, 0.0)),
-      AllOf(HasSubstr("Cubic kernel (condition"), HasSubstr("far from the others"),
-        HasSubstr("nearly coincide"), Not(HasSubstr("idth"))));
-  }
-}
-
-// Where no width makes the system well conditioned, the cause is named: a pair that nearly
-// coincides. With the remedy that is named there is a width.
-TEST(GlobalSystem, refusesPairsForEveryWidth)
-{
-  Points points = Truth::randomBox(200, 20);
-  points.col(1) = points.col(0) + Vector3d(1e-9, 0.0, 0.0);
-  const PointCloud cloud(points);
-  for (const KernelType kernel : { KernelType::Gaussian, KernelType::Wu })
-  {
-    EXPECT_THAT(refusalOf(cloud, parametersOf(kernel, 0.0)),
-      AllOf(HasSubstr(nameOf(kernel)), HasSubstr("1e-09 apart"), HasSubstr("is typical"),
-        HasSubstr("Regularization to 1e-10"), HasSubstr("nearly coincide")));
-    EXPECT_EQ(refusalOf(cloud, parametersOf(kernel, 0.0, 1e-10)), "nothing");
-  }
-}
-
 // Every width reproduces constants and linear functions, up to rounding errors that say nothing:
 // the width is a wide one, with which other values would be smooth between the samples.
 TEST(GlobalSystem, linearFunctionsGetAWideKernel)
@@ -371,24 +273,6 @@ TEST(GlobalSystem, leavesOneOutOfDenseSystemsOnly)
   }
   const GlobalSystem wide({ many, others }, parametersOf(KernelType::Wendland, 0.8), {});
   EXPECT_EQ(wide.leaveOneOutErrors(others).size(), 1500);
-}
-
-// What a sparse system is refused with has a condition too, and what to change.
-TEST(GlobalSystem, refusesSingularSparseSystems)
-{
-  Points points = Truth::randomBox(1500, 24);
-  for (const auto& [distance, condition] :
-    { std::pair(1e-8, "condition about"), std::pair(1e-10, "condition infinite") })
-  {
-    for (Eigen::Index i = 0; i < 20; i += 2)
-    {
-      points.col(i + 1) = points.col(i) + Vector3d(distance, 0.0, 0.0);
-    }
-    const PointCloud cloud(points);
-    EXPECT_THAT(refusalOf(cloud, parametersOf(KernelType::Wu, supportOf(cloud, 30))),
-      AllOf(HasSubstr("Wu"), HasSubstr(condition), HasSubstr("Lower KernelWidth"),
-        HasSubstr("Regularization"), HasSubstr("nearly coincide"), Not(HasSubstr("Cubic"))));
-  }
 }
 
 // An abort is heard while the width is chosen, in dense and in sparse work.

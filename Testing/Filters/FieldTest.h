@@ -39,6 +39,14 @@ inline vtkSmartPointer<vtkPolyData> waveSamples(int count = 500, unsigned seed =
   return makeCloud(randomCube(count, seed), wave);
 }
 
+template <typename PointSet>
+vtkSmartPointer<PointSet> pointSetTarget(unsigned seed)
+{
+  const auto target = vtkSmartPointer<PointSet>::New();
+  target->SetPoints(makeCloud(0.8 * randomCube(60, seed))->GetPoints());
+  return target;
+}
+
 /// The numbers of a point array, one tuple per column.
 inline Eigen::MatrixXd numbersOf(vtkDataObject* data, const char* name)
 {

@@ -6,7 +6,9 @@
 
 #include "Sampling.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -86,6 +88,47 @@ inline Points twoSpheres()
   points << Truth::randomSphere(500, 1), Truth::randomSphere(500, 2);
   points.row(0).tail(500).array() += 10.0;
   return points;
+}
+
+constexpr int Side = 21; // points of a grid's side
+
+/// A grid in the plane, its cells as quads or as the triangles or strips that they consist of.
+inline vtkSmartPointer<vtkPolyData> meshedGrid(int cornersOfCell)
+{
+  const auto mesh = makeCloud(Truth::squareGrid(Side, 0.05));
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType row = 0; row + 1 < Side; ++row)
+  {
+    if (cornersOfCell == 2 * Side)
+    {
+      cells->InsertNextCell(cornersOfCell);
+    }
+    for (vtkIdType column = 0; column + 1 < Side; ++column)
+    {
+      const vtkIdType a = row * Side + column;
+      if (cornersOfCell == 4)
+      {
+        cells->InsertNextCell({ a, a + 1, a + Side + 1, a + Side });
+      }
+      else if (cornersOfCell == 3)
+      {
+        cells->InsertNextCell({ a, a + 1, a + Side });
+        cells->InsertNextCell({ a + 1, a + Side + 1, a + Side });
+      }
+      else
+      {
+        cells->InsertCellPoint(a);
+        cells->InsertCellPoint(a + Side);
+      }
+    }
+    if (cornersOfCell == 2 * Side)
+    {
+      cells->InsertCellPoint(row * Side + Side - 1);
+      cells->InsertCellPoint(row * Side + 2 * Side - 1);
+    }
+  }
+  cornersOfCell == 2 * Side ? mesh->SetStrips(cells) : mesh->SetPolys(cells);
+  return mesh;
 }
 
 } // namespace SurfaceScalars::FilterTest
