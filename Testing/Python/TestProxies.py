@@ -344,6 +344,13 @@ class TestProxies(unittest.TestCase):
         self.assertAlmostEqual(contour.ContourValues[0], 0.5 * (low + high), places=12)
         self.assertEqual(list(contour.ScalarArray), ["POINTS", "f"])
 
+    def test_inputs_without_arrays_are_offered_where_something_else_serves(self):
+        points, triangles = support.torus_mesh(24, 12)
+        source = support.source(support.mesh(points, triangles))
+        for name, offered in (("PointSetContour", 1), ("MeshCriticalPoints", 1), ("MorseComplex", 0)):
+            proxy = getattr(simple, name)(Input=source)
+            self.assertEqual(proxy.SMProxy.GetProperty("Input").IsInDomains(), offered, name)
+
     def test_implicit_functions_on_offer(self):
         for name, property_name in (("PointSetContour", "CutFunction"), ("FuzzyCriticalPoints", "VolumeFunction")):
             domain = self.proxies[name].SMProxy.GetProperty(property_name).FindDomain("vtkSMProxyListDomain")
