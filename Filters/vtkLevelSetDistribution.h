@@ -35,9 +35,6 @@
  * What is left out and refused is as of vtkMeshCriticalPoints for surfaces. Volumes need not be
  * manifolds. The blocks of a composite dataset are worked on one by one.
  *
- * @warning Of volumes, a PersistenceThreshold above 0 keeps no saddles but those that end a
- * persistent extremum: the persistence of others is not computed.
- *
  * @sa vtkMeshlessApproximation vtkMeshCriticalPoints
  */
 

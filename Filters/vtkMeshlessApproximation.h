@@ -40,9 +40,6 @@
  * centers asked for than a dense system can have, critical points that are missing. The blocks of a
  * composite dataset are worked on one by one.
  *
- * @warning Of volumes, a PersistenceThreshold above 0 keeps no saddles but those that end a
- * persistent extremum: the persistence of others is not computed.
- *
  * @sa vtkRBFEvaluate vtkRBFExtend vtkMeshCriticalPoints
  */
 

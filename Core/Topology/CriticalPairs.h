@@ -62,6 +62,7 @@ public:
     : mesh_(mesh)
     , values_(values)
     , result_{ std::move(points), {} }
+    , listed_(this->result_.points.size(), 0)
     , ended_(this->result_.points.size(), 0)
   {
     this->result_.pairs.reserve(this->result_.points.size() / 2);
@@ -78,15 +79,29 @@ public:
       const Index saddle = mirrored.original(merge.vertex);
       const CriticalPair pair{ pointOfVertex[extremum], pointOfVertex[saddle],
         std::abs(this->values_[saddle] - this->values_[extremum]) };
-      for (const std::size_t point : { pair.extremum, pair.saddle })
-      {
-        ++this->ended_[point];
-        double& persistence = this->result_.points[point].persistence;
-        persistence = std::max(persistence, pair.persistence);
-      }
+      this->end(pair.extremum, pair.persistence);
+      this->end(pair.saddle, pair.persistence);
       if (!mirrored.isImage(merge.vertex))
       {
-        this->result_.pairs.push_back(pair);
+        this->list(pair);
+      }
+    }
+  }
+
+  /// A pair of two saddles, which is one of each. What a saddle has beyond its multiplicity, as it
+  /// can where the volume is no manifold, is not among the pairs.
+  /// @param areImages of vertices that are not on the boundary
+  void add(std::size_t oneSaddle, std::size_t twoSaddle, bool areImages)
+  {
+    const std::vector<CriticalPoint>& points = this->result_.points;
+    const double persistence = std::abs(points[twoSaddle].value - points[oneSaddle].value);
+    for (const auto& [other, saddle] :
+      { std::pair(oneSaddle, twoSaddle), std::pair(twoSaddle, oneSaddle) })
+    {
+      this->end(saddle, persistence);
+      if (!areImages || this->mesh_.isBoundary(static_cast<Index>(points[saddle].input)))
+      {
+        this->list({ other, saddle, persistence });
       }
     }
   }
@@ -109,10 +124,27 @@ public:
   }
 
 private:
+  void end(std::size_t point, double pairPersistence)
+  {
+    ++this->ended_[point];
+    double& persistence = this->result_.points[point].persistence;
+    persistence = std::max(persistence, pairPersistence);
+  }
+
+  void list(const CriticalPair& pair)
+  {
+    if (this->listed_[pair.saddle] < this->result_.points[pair.saddle].multiplicity)
+    {
+      ++this->listed_[pair.saddle];
+      this->result_.pairs.push_back(pair);
+    }
+  }
+
   const Topology& mesh_;
   const ValuesRef& values_;
   MeshCriticalPoints result_;
-  std::vector<int> ended_; ///< in how many pairs each point is, with its image
+  std::vector<int> listed_; ///< of how many pairs each point is the saddle
+  std::vector<int> ended_;  ///< in how many pairs each point is, with its image
 };
 
 } // namespace SurfaceScalars

@@ -3,6 +3,7 @@
 #include "CriticalPairs.h"
 #include "MeshValues.h"
 #include "Require.h"
+#include "Tunnels.h"
 
 #include <algorithm>
 #include <array>
@@ -230,8 +231,8 @@ MeshCriticalPoints volumeCriticalPoints(const PointsRef& vertices, const VolumeT
     std::to_string(vertices.cols()) + " places for " + std::to_string(volume.vertexCount()) +
       " vertices",
     "Choose the vertices of the volume.");
-  const VolumeTypes types = classifyVolumeVertices(volume, values, execution.part(0.0, 0.5));
-  const Execution ofTrees = execution.part(0.5, 0.9);
+  const VolumeTypes types = classifyVolumeVertices(volume, values, execution.part(0.0, 0.1));
+  const Execution ofTrees = execution.part(0.1, 0.2);
   const auto neighborsOf = [&](Index vertex) { return volume.link(vertex); };
   const ValueOrder isBelow{ values.data() };
   const MergeTrees trees = volume.isClosed()
@@ -241,6 +242,24 @@ MeshCriticalPoints volumeCriticalPoints(const PointsRef& vertices, const VolumeT
   PairCollector collector(volume, values, std::move(critical.points));
   collector.add(trees.sublevel, critical.below);
   collector.add(trees.superlevel, critical.above);
+  const VertexOrder order =
+    orderByValue(values, ExtremumSigns(volume.vertexCount(), 0), execution.part(0.2, 0.3));
+  const auto addTunnels = [&](bool isRelative, const Execution& ofTunnels)
+  {
+    for (const Tunnel& tunnel : tunnelsOf(volume, order, isRelative, ofTunnels))
+    {
+      if (types.twoSaddles[tunnel.twoSaddle] > 0) // not so where the volume is no manifold
+      {
+        collector.add(
+          critical.below[tunnel.oneSaddle], critical.above[tunnel.twoSaddle], isRelative);
+      }
+    }
+  };
+  addTunnels(false, execution.part(0.3, 0.6));
+  if (!volume.isClosed())
+  {
+    addTunnels(true, execution.part(0.6, 0.9));
+  }
   MeshCriticalPoints result = collector.conclude();
   execution.report(1.0);
   return result;

@@ -61,11 +61,13 @@ SURFACESCALARSCORE_EXPORT VolumeTypes classifyVolumeVertices(
 
 /**
  * The critical vertices with their persistence, as meshCriticalPoints(): pairs of minima and
- * 1-saddles and of maxima and 2-saddles by union-find along the edges. A vertex that is both
- * saddles is two points.
+ * 1-saddles and of maxima and 2-saddles by union-find along the edges, and pairs of 1-saddles and
+ * 2-saddles, between which a tunnel of {f <= t} lasts, by homology over Z2. A vertex that is both
+ * saddles is two points. A pair of saddles is two pairs: in each, the other one is in the place of
+ * the extremum. So removeBelow() keeps the sum of the indices of a closed manifold.
  *
- * @warning Saddles that end fewer extrema than their multiplicity have f's range: most of them end
- * a tunnel that another saddle began, but by how much is not computed.
+ * @warning Where the volume is no manifold, a tunnel may end at a vertex that is no 2-saddle, or in
+ * more pairs than its multiplicity: such are left out, and what they leave has f's range.
  *
  * @throws as classifyVolumeVertices(); InvalidInput unless there is one place per vertex
  */
