@@ -384,6 +384,14 @@ class TestProxies(unittest.TestCase):
                 self.assertIsNotNone(documentation, property_name)
                 self.assertGreater(len(documentation.GetDescription().strip()), 10, property_name)
 
+    def test_lists_are_in_groups_as_they_are_shown_without_a_label(self):
+        for name, proxy, _ in self.each():
+            groups = [proxy.SMProxy.GetPropertyGroup(i) for i in range(proxy.SMProxy.GetNumberOfPropertyGroups())]
+            grouped = {group.GetProperty(i).GetXMLName() for group in groups for i in range(group.GetNumberOfProperties())}
+            lists = {key for key in proxy.ListProperties() if proxy.SMProxy.GetProperty(key).GetRepeatable()}
+            inputs = {key for key in lists if proxy.SMProxy.GetProperty(key).IsA("vtkSMInputProperty")}
+            self.assertEqual(lists - inputs - grouped, set(), name)
+
     def test_filters_are_in_the_menu_surface_scalars(self):
         for _, proxy, _ in self.each():
             menu = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
