@@ -98,8 +98,8 @@ def on_terrain():
     ours = timed(curves)
     fields = servermanager.Fetch(curves).GetFieldData()
     share, count = (fields.GetArray(name).GetTuple1(0) for name in ("EvaluatedShare", "Evaluations"))
-    evaluated = RBFEvaluate(Input=model, Target=surface)
-    linear = Contour(Input=evaluated, ContourBy=["POINTS", options.array], Isosurfaces=middle)
+    evaluated = RBFEvaluate(Input=model, Target=surface, ResultArrayName="Model")
+    linear = Contour(Input=evaluated, ContourBy=["POINTS", "Model"], Isosurfaces=middle)
     theirs = timed(evaluated)
     theirs += timed(linear)
     print(f"{columns * rows} points, {len(i)} centers, one level: computed at {100 * share:.2f}% of the points, "
@@ -129,15 +129,19 @@ for view, lines in zip(views, (linear, curves)):
     display = show(sphere, view, [0.95, 0.93, 0.88], 1)
     display.SetRepresentationType("Surface With Edges")
     display.EdgeColor = [0.7, 0.7, 0.7]
-    show(lines, view, [0.75, 0.1, 0.1], 3)
-    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [2.2, -1.6, 1.4], [0, 0, 0], [0, 0, 1]
+    towards = [2.2, -1.6, 1.4]
+    show(lines, view, [0.75, 0.1, 0.1], 3).Position = [0.003 * x for x in towards]  # nearer, or triangles hide them in part
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = towards, [0, 0, 0], [0, 0, 1]
     view.CameraParallelProjection, view.CameraParallelScale = 1, 1.05
 
 terrain, curves = on_terrain()
 display = Show(terrain, views[2])
 display.SetRepresentationType("Surface")
 ColorBy(display, ("POINTS", options.array))
-GetColorTransferFunction(options.array).ApplyPreset("Grayscale", True)
+colors = GetColorTransferFunction(options.array)
+colors.ApplyPreset("Grayscale", True)
+low, high = terrain.PointData[options.array].GetRange()
+colors.RescaleTransferFunction(low - 0.5 * (high - low), high)  # no black, on which curves are hard to see
 show(curves, views[2], [0.75, 0.1, 0.1], 2)
 bounds = numpy.reshape(terrain.GetDataInformation().GetBounds(), (3, 2))
 center, width = bounds.mean(axis=1), options.detail * (bounds[0, 1] - bounds[0, 0])
