@@ -32,6 +32,29 @@ def balls(source, radius):
     return glyphs
 
 
+LOOKS = {"CriticalType": (0, 3, "Cool to Warm (Extended)")}  # the range of an array's colors, and their name
+
+
+def paint(drawn, array, view):
+    """Colors something by an array, and explains the colors in the upper right corner."""
+    ColorBy(drawn, ("POINTS", array))
+    low, high, preset = LOOKS[array]
+    table = GetColorTransferFunction(array)
+    table.ApplyPreset(preset, True)
+    table.AutomaticRescaleRangeMode = "Never"
+    table.RescaleTransferFunction(low, high)
+    if array == "CriticalType":
+        return
+    bar = GetScalarBar(table, view)
+    bar.Title = bar.ComponentTitle = ""
+    bar.Orientation, bar.WindowLocation, bar.Position = "Vertical", "Any Location", [0.88, 0.62]
+    bar.ScalarBarLength, bar.ScalarBarThickness, bar.LabelFontSize = 0.28, 12, 14
+    bar.LabelColor = [0, 0, 0]
+    bar.AutomaticLabelFormat = 0
+    bar.LabelFormat = bar.RangeLabelFormat = "%.0f" if high > 100 else "%.2f"
+    drawn.SetScalarBarVisibility(view, True)
+
+
 def view_of(shown, title, elevation=0, azimuth=0, zoom=1.0):
     """shown: pairs of a source and an array or a color; angles in degrees."""
     view = CreateView("RenderView")
@@ -42,7 +65,7 @@ def view_of(shown, title, elevation=0, azimuth=0, zoom=1.0):
     for source, look in shown:
         drawn = Show(source, view)
         if isinstance(look, str):
-            ColorBy(drawn, ("POINTS", look))
+            paint(drawn, look, view)
         else:
             drawn.ColorArrayName = ["POINTS", ""]
             drawn.AmbientColor = drawn.DiffuseColor = look
@@ -56,13 +79,6 @@ def view_of(shown, title, elevation=0, azimuth=0, zoom=1.0):
     camera.Elevation(elevation)
     camera.Zoom(zoom)
     return view
-
-
-def colors(name, low, high, preset):
-    table = GetColorTransferFunction(name)
-    table.ApplyPreset(preset, True)
-    table.AutomaticRescaleRangeMode = "Never"
-    table.RescaleTransferFunction(low, high)
 
 
 def save(views, picture):
@@ -80,11 +96,12 @@ terrain = LegacyVTKReader(FileNames=[terrain_file])
 heights = MeshlessApproximation(
     Input=terrain, ScalarArray=["POINTS", "Elevation"], SampleFraction=0.02, PersistenceThreshold=0.1)
 report("terrain", heights)
+count = terrain.GetDataInformation().GetNumberOfPoints()
 low, high = terrain.PointData["Elevation"].GetRange()
 worst = max(abs(bound) for bound in heights.PointData["ApproximationError"].GetRange())
-colors("Elevation", low, high, "Viridis (matplotlib)")
-colors("ElevationApproximation", low, high, "Viridis (matplotlib)")
-colors("ApproximationError", -worst, worst, "Cool to Warm (Extended)")
+LOOKS["Elevation"] = low, high, "Viridis (matplotlib)"
+LOOKS["ElevationApproximation"] = low, high, "Viridis (matplotlib)"
+LOOKS["ApproximationError"] = -worst, worst, "Cool to Warm (Extended)"
 
 
 def relief(source, name):
@@ -97,9 +114,9 @@ centers = RBFEvaluate(Input=OutputPort(heights, 1), Target=OutputPort(heights, 1
 
 south = {"elevation": -40, "zoom": 1.35}
 save([
-    view_of([(relief(heights, "Elevation"), "Elevation")], "elevation, 138,632 points", **south),
+    view_of([(relief(heights, "Elevation"), "Elevation")], f"elevation in m, {count:,} points", **south),
     view_of([(approximated, "ElevationApproximation")], "approximation", **south),
-    view_of([(approximated, "ApproximationError")], "error", **south),
+    view_of([(approximated, "ApproximationError")], "error in m", **south),
     view_of([(approximated, [0.85, 0.85, 0.82]), (balls(relief(centers, "Height"), 120), [0.8, 0.1, 0.1])], "centers",
             **south),
 ], terrain_picture)
@@ -111,22 +128,20 @@ volume = MeshlessApproximation(
 report("volume", volume)
 low, high = volume.PointData["RTData"].GetRange()
 worst = max(abs(bound) for bound in volume.PointData["ApproximationError"].GetRange())
-colors("RTData", low, high, "Viridis (matplotlib)")
-colors("RTDataApproximation", low, high, "Viridis (matplotlib)")
-colors("ApproximationError", -worst, worst, "Cool to Warm (Extended)")
+LOOKS["RTData"] = low, high, "Viridis (matplotlib)"
+LOOKS["RTDataApproximation"] = low, high, "Viridis (matplotlib)"
+LOOKS["ApproximationError"] = -worst, worst, "Cool to Warm (Extended)"
 cut = Slice(Input=volume, SliceType="Plane")
 cut.SliceType.Origin = [0, 0, 4.5]
 cut.SliceType.Normal = [0, 0, 1]
 surfaces = Contour(Input=volume, ContourBy=["POINTS", "RTDataApproximation"], Isosurfaces=[0.55 * low + 0.45 * high])
 box = Outline(Input=wavelet)
 kept = Threshold(Input=OutputPort(volume, 2), Scalars=["POINTS", "Prescribed"], LowerThreshold=1, UpperThreshold=1)
-colors("CriticalType", 0, 3, "Cool to Warm (Extended)")
-
 
 save([
-    view_of([(cut, "RTData")], "f at z = 4.5"),
-    view_of([(cut, "RTDataApproximation")], "approximation"),
-    view_of([(cut, "ApproximationError")], "error"),
+    view_of([(cut, "RTData")], "f at z = 4.5", zoom=1.25),
+    view_of([(cut, "RTDataApproximation")], "approximation", zoom=1.25),
+    view_of([(cut, "ApproximationError")], "error", zoom=1.25),
     view_of([(surfaces, [0.85, 0.85, 0.82]), (box, [0.4, 0.4, 0.4]), (balls(kept, 0.7), "CriticalType")],
             "a level set, critical points", elevation=-20, azimuth=30),
 ], volume_picture)
