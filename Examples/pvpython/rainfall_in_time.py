@@ -218,8 +218,8 @@ for month, cell in zip(sorted(wet[:3] + wet[-1:]), (3, 5, 4, 6)):
     colors.RescaleTransferFunction(0, 5 * round(0.12 * most))
     if cell == 6:
         bar = GetScalarBar(colors, view)
-        bar.Title, bar.ComponentTitle = "Rain, cm", ""
-        bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", [0.3, 0.02]
+        bar.Title, bar.ComponentTitle = "cm", ""
+        bar.Orientation, bar.WindowLocation, bar.Position = "Vertical", "Any Location", [0.91, 0.3]
         bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 16
         bar.TitleFontSize = bar.LabelFontSize = 16
         bar.TitleColor = bar.LabelColor = [0, 0, 0]
