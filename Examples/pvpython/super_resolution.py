@@ -31,12 +31,20 @@ BRIGHTEST = 255
 
 
 def read(path):
+    """The image without the last rows and columns over a multiple of 16, as it is reduced by 4 twice."""
     reader = vtk.vtkImageReader2Factory.CreateImageReader2(path)
+    if not reader:
+        sys.exit(f"{path} is no image that VTK reads")
     reader.SetFileName(path)
     reader.Update()
     columns, rows = reader.GetOutput().GetDimensions()[:2]
+    smallest = 16 * (MARGIN + 1)
     values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return values.reshape(rows, columns)[::-1].astype(float)  # VTK begins at the bottom
+    if values.ndim > 1 or min(rows, columns) < smallest:
+        sys.exit(f"{path}: expected a grayscale image of at least {smallest} x {smallest} pixels, found "
+                 f"{columns} x {rows} with {values.shape[1] if values.ndim > 1 else 1} number(s) a pixel")
+    image = values.reshape(rows, columns)[::-1].astype(float)  # VTK begins at the bottom
+    return image[:rows // 16 * 16, :columns // 16 * 16]
 
 
 def reduced(image, factor, averages):
