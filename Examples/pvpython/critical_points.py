@@ -78,7 +78,7 @@ def draw(source, view, array):
 def mark(source, view, color):
     """Shows something in one color, a little nearer than the discs around it, which face the viewer."""
     shown = Show(source, view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.Position = 2.5 * spacing * towards  # a parallel projection does not show the difference
     shown.AmbientColor = shown.DiffuseColor = color
     shown.Ambient = 0.3

@@ -96,7 +96,7 @@ def makeView():
 def mark(source, view, color):
     """Shows something in one color, a little nearer than the surface; a parallel projection does not show the difference."""
     shown = Show(source, view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.Position = 0.01 * size * towards
     shown.AmbientColor = shown.DiffuseColor = color
     shown.Ambient = 0.3

@@ -107,7 +107,7 @@ COLUMNS = 4
 def mark(source, view, color, towards):
     """Shows something in one color, a little nearer than the surface; a parallel projection does not show the difference."""
     shown = Show(source, view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.Position = towards
     shown.AmbientColor = shown.DiffuseColor = color
     shown.Ambient = 0.3

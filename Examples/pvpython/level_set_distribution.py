@@ -86,7 +86,7 @@ def draw(array):
     colors.RGBPoints = [0, 0.9, 0.88, 0.84, 1, 0.55, 0.7, 0.95]
     curves = Contour(Input=OutputPort(result, 0), ContourBy=["POINTS", array], Isosurfaces=values)
     shown = Show(Tube(Input=curves, Radius=0.001 * size), view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.AmbientColor = shown.DiffuseColor = [0.1, 0.1, 0.1]
     shown.Position = 0.002 * size * towards  # nearer; a parallel projection does not show the difference
     return view

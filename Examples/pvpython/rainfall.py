@@ -112,7 +112,7 @@ bar.AutomaticLabelFormat = 0
 shown.SetScalarBarVisibility(view, True)
 for source, color, lift in [(lines, [0.1, 0.1, 0.25], 2500), (stations, [0.9, 0.3, 0.1], 11000)]:
     drawn = Show(source, view)
-    ColorBy(drawn, None)
+    drawn.ColorArrayName = [None, ""]
     drawn.AmbientColor = drawn.DiffuseColor = color
     drawn.LineWidth = 2
     drawn.Position = [0, 0, lift]  # above the terrain

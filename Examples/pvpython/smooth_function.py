@@ -83,7 +83,7 @@ def select(source, array, kind):
 def mark(source, view, color, lift):
     """Shows something in one color, a little nearer than the surface; a parallel projection does not show the difference."""
     shown = Show(source, view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.Position = lift * size * towards
     shown.AmbientColor = shown.DiffuseColor = color
     shown.Ambient = 0.3

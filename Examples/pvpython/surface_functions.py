@@ -55,7 +55,7 @@ for (name, properties), cell in zip(functions.items(), (3, 4, 5, 6)):
     colors.ApplyPreset("Viridis (matplotlib)", True)
     colors.RescaleTransferFunction(*numpy.quantile(values, [0.01, 0.99]))
     curves = Show(Tube(Input=contours, Radius=0.002), view)
-    ColorBy(curves, None)
+    curves.ColorArrayName = [None, ""]
     curves.AmbientColor = curves.DiffuseColor = [0.1, 0.1, 0.1]
     curves.Position = 0.04 * towards  # in front of the discs; a parallel projection does not show the difference
 for view in GetRenderViews():

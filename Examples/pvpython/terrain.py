@@ -90,7 +90,7 @@ for cell, (x, y, width), aspect in zip((1, 2), places, (1080 / 680, 720 / 680)):
     for source, color, thickness in [(heights, [0.3, 0.3, 0.3], 1), (curves, [0.7, 0.05, 0.05], 2)]:
         if cell == 2 or source is curves:
             drawn = Show(source, view)
-            ColorBy(drawn, None)
+            drawn.ColorArrayName = [None, ""]
             drawn.AmbientColor = drawn.DiffuseColor = color
             drawn.Ambient, drawn.Diffuse = 1, 0
             drawn.LineWidth = thickness
