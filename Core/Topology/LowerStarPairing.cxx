@@ -78,56 +78,63 @@ void LowerStarPairing::add(Index place)
 
 void LowerStarPairing::gather()
 {
+  const Index vertex = this->order_.vertexAt(this->place_);
+  const bool hasGaps = this->isRelative_ && this->volume_.isBoundary(vertex);
   this->sides_.clear();
   this->simplices_.assign(1, Simplex{});
-  const Index vertex = this->order_.vertexAt(this->place_);
+  for (const Index neighbor : this->volume_.link(vertex))
+  {
+    const Index place = this->order_.placeOf(neighbor);
+    if (place < this->place_)
+    {
+      this->simplices_.push_back({ place + 1 });
+    }
+  }
   for (const Index tetrahedron : this->volume_.star(vertex))
   {
-    Simplex corners{};
-    std::size_t count = 0;
-    for (const Index corner : this->volume_.tetrahedra().col(tetrahedron))
-    {
-      if (corner != vertex)
-      {
-        corners[count++] = 1 + this->order_.placeOf(corner);
-      }
-    }
-    std::sort(corners.begin(), corners.end(), std::greater<>());
-    for (std::size_t i = 0; i < corners.size(); ++i)
-    {
-      this->sides_.push_back({ without(corners, i), corners[i], tetrahedron });
-    }
-    this->addLower(corners);
+    this->gather(vertex, tetrahedron, hasGaps);
   }
   std::sort(this->sides_.begin(), this->sides_.end());
+  for (std::size_t i = 0; i < this->sides_.size(); ++i)
+  {
+    const Simplex& triangle = this->sides_[i].triangle;
+    if (this->isLower(triangle) && (i == 0 || triangle != this->sides_[i - 1].triangle))
+    {
+      this->simplices_.push_back(triangle);
+    }
+  }
   std::sort(this->simplices_.begin(), this->simplices_.end());
-  this->simplices_.erase(
-    std::unique(this->simplices_.begin(), this->simplices_.end()), this->simplices_.end());
-  if (this->isRelative_ && this->volume_.isBoundary(vertex))
+  if (hasGaps)
   {
     this->removeBoundary();
   }
 }
 
-/// What of a tetrahedron does not lie above the vertex, with its faces.
-void LowerStarPairing::addLower(const Simplex& simplex)
+/// A tetrahedron at the vertex, and its sides.
+/// @param all also those that are not in the lower star
+void LowerStarPairing::gather(Index vertex, Index tetrahedron, bool all)
 {
-  Simplex lower{};
-  std::copy_if(simplex.begin(), simplex.end(), lower.begin(),
-    [this](Index corner) { return corner <= this->place_; });
-  const auto [a, b, c] = lower;
-  const std::size_t count = countOf(lower);
-  if (count > 0)
+  Simplex corners{};
+  std::size_t count = 0;
+  for (const Index corner : this->volume_.tetrahedra().col(tetrahedron))
   {
-    this->simplices_.push_back({ a });
+    if (corner != vertex)
+    {
+      corners[count++] = 1 + this->order_.placeOf(corner);
+    }
   }
-  if (count > 1)
+  std::sort(corners.begin(), corners.end(), std::greater<>());
+  for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    this->simplices_.insert(this->simplices_.end(), { { b }, { a, b } });
+    const Simplex triangle = without(corners, i);
+    if (all || this->isLower(triangle))
+    {
+      this->sides_.push_back({ triangle, corners[i], tetrahedron });
+    }
   }
-  if (count > 2)
+  if (this->isLower(corners))
   {
-    this->simplices_.insert(this->simplices_.end(), { { c }, { a, c }, { b, c }, { a, b, c } });
+    this->simplices_.push_back(corners);
   }
 }
 

@@ -83,7 +83,8 @@ private:
   static constexpr Index None = StarPairs::None;
 
   void gather();
-  void addLower(const Simplex& simplex);
+  void gather(Index vertex, Index tetrahedron, bool all);
+  bool isLower(const Simplex& simplex) const { return simplex[0] <= this->place_; }
   void removeBoundary();
   void findFaces();
   void addEdges();
