@@ -27,7 +27,7 @@ template <class Corners>
 RankRange rankRange(const std::vector<Index>& ranks, const Corners& corners)
 {
   RankRange range{ ranks[corners[0]], ranks[corners[0]] };
-  for (Eigen::Index i = 1; i < corners.size(); ++i)
+  for (decltype(corners.size()) i = 1; i < corners.size(); ++i)
   {
     const Index rank = ranks[corners[i]];
     range.first = rank < range.first ? rank : range.first;

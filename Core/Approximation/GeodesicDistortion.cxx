@@ -2,11 +2,12 @@
 #include "MeshFront.h"
 #include "Polyline.h"
 #include "Require.h"
+#include "StraightWays.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace SurfaceScalars
@@ -15,14 +16,11 @@ namespace
 {
 
 constexpr std::size_t IntervalsPerFront = 8; // which takes memory for all vertices
-
-/// Where a value meets a triangle: on the two edges of the corner that is alone on its side.
-struct TriangleCrossing
-{
-  Index corner = 0;
-  Index others[2] = { 0, 0 };
-  Vector3d places[2]; ///< on the edges to these
-};
+// Where two parts of a front meet it may be ahead of straight ways: seldom by this factor, hardly
+// ever by that, if triangles are stretched.
+constexpr double Ahead = 1.05;
+constexpr double FarAhead = 1.5;
+constexpr std::size_t ViewsPerVertex = 6; // that the front has reached: takes as long as that
 
 class Geodesics
 {
@@ -30,7 +28,7 @@ public:
   Geodesics(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values,
     const ValuesRef& isoValues, const std::vector<Index>& ranks)
     : vertices_(vertices)
-    , triangles_(mesh.triangles())
+    , mesh_(mesh)
     , values_(values)
     , isoValues_(isoValues)
     , ranks_(ranks)
@@ -41,87 +39,113 @@ public:
   /// The greatest distance of a point of one level set to the curve that is the other.
   double farthest(const CrossedCells& crossed, Index from, Index to, const Poll& poll)
   {
-    this->front_.clear();
-    for (const Index triangle : crossed.of(to))
-    {
-      const TriangleCrossing curve = this->crossing(triangle, to);
-      for (const Index corner : this->triangles_.col(triangle))
-      {
-        this->front_.offer(
-          corner, distanceToSegment(this->vertices_.col(corner), curve.places[0], curve.places[1]));
-      }
-    }
+    const LevelCurve curve = this->curve(to);
+    this->start(curve, crossed.of(to));
     const CrossedCells::Range triangles = crossed.of(from);
     std::vector<Index> targets;
     for (const Index triangle : triangles)
     {
-      const auto corners = this->triangles_.col(triangle);
+      const auto corners = this->mesh_.triangles().col(triangle);
       targets.insert(targets.end(), corners.begin(), corners.end());
     }
     this->front_.reach(targets, poll);
-    return this->farthestCrossing(triangles, from, to);
+    return this->farthestOf(this->placesOn(this->curve(from), triangles, curve), curve, poll);
   }
 
 private:
-  /// Of a place: on which edge it is, and its distance in one of the triangles there.
-  using Way = std::pair<std::uint64_t, double>;
-
-  TriangleCrossing crossing(Index triangle, Index level) const
+  /// A point of a level set, on an edge.
+  struct Place
   {
-    const auto corners = this->triangles_.col(triangle);
-    const auto isAbove = [&](int i) { return this->ranks_[corners[i]] > level; };
-    const int alone = isAbove(0) == isAbove(1) ? 2 : isAbove(0) == isAbove(2) ? 1 : 0;
-    TriangleCrossing result;
-    result.corner = corners[alone];
-    for (const int i : { 0, 1 })
-    {
-      result.others[i] = corners[(alone + 1 + i) % 3];
-      result.places[i] = crossingOf(
-        this->vertices_, this->values_, result.corner, result.others[i], this->isoValues_[level]);
-    }
-    return result;
+    Index a; ///< a < b
+    Index b;
+    Vector3d position;
+    double distance; ///< as the front has it
+  };
+
+  LevelCurve curve(Index level) const
+  {
+    return { this->vertices_, this->values_, this->ranks_, level, this->isoValues_[level] };
   }
 
-  /// Within a triangle, from its other edges or the curve itself.
-  double distanceIn(Index triangle, const TriangleCrossing& at, int i, Index to) const
+  void start(const LevelCurve& curve, const CrossedCells::Range& triangles)
   {
-    const Vector3d& place = at.places[i];
-    const Index opposite = at.others[1 - i];
-    double distance = std::min(this->front_.across(place, at.corner, opposite),
-      this->front_.across(place, at.others[i], opposite));
-    if (rankRange(this->ranks_, this->triangles_.col(triangle)).crosses(to))
-    {
-      const TriangleCrossing curve = this->crossing(triangle, to);
-      distance = std::min(distance, distanceToSegment(place, curve.places[0], curve.places[1]));
-    }
-    return distance;
-  }
-
-  double farthestCrossing(const CrossedCells::Range& triangles, Index from, Index to) const
-  {
-    std::vector<Way> ways;
+    this->front_.clear();
     for (const Index triangle : triangles)
     {
-      const TriangleCrossing at = this->crossing(triangle, from);
-      for (const int i : { 0, 1 })
+      const auto corners = this->mesh_.triangles().col(triangle);
+      for (const Index corner : corners)
       {
-        const auto [first, second] = std::minmax(at.corner, at.others[i]);
-        ways.emplace_back(
-          (std::uint64_t(first) << 32) | second, this->distanceIn(triangle, at, i, to));
+        this->front_.offer(corner, distanceWithin(curve, corners, this->vertices_.col(corner)));
       }
     }
-    std::sort(ways.begin(), ways.end()); // the shorter of the ways to a place first
-    double result = 0.0;
-    for (std::size_t i = 0; i < ways.size(); ++i)
+  }
+
+  /// Of a place in a triangle to the curve there.
+  template <class Corners>
+  static double distanceWithin(
+    const LevelCurve& curve, const Corners& corners, const Vector3d& place)
+  {
+    const auto ends = curve.aloneFirst(corners);
+    return distanceToSegment(place, curve.place(ends[0], ends[1]), curve.place(ends[0], ends[2]));
+  }
+
+  /// The points of one level set, each once, with their distances to the other.
+  std::vector<Place> placesOn(
+    const LevelCurve& from, const CrossedCells::Range& triangles, const LevelCurve& to) const
+  {
+    std::vector<Place> places;
+    for (const Index triangle : triangles)
     {
-      const bool isShortest = i == 0 || ways[i].first != ways[i - 1].first;
-      result = isShortest ? std::max(result, ways[i].second) : result;
+      const auto corners = this->mesh_.triangles().col(triangle);
+      const auto ends = from.aloneFirst(corners);
+      for (const int i : { 1, 2 })
+      {
+        const auto [a, b] = std::minmax(ends[0], ends[i]);
+        const Vector3d position = from.place(a, b);
+        double distance = std::min(this->front_.across(position, a, ends[3 - i]),
+          this->front_.across(position, b, ends[3 - i]));
+        if (to.meets(corners))
+        {
+          distance = std::min(distance, distanceWithin(to, corners, position));
+        }
+        places.push_back({ a, b, position, distance });
+      }
     }
-    return result;
+    const auto key = [](const Place& place)
+    { return std::make_tuple(place.a, place.b, place.distance); };
+    std::sort(places.begin(), places.end(),
+      [&](const Place& one, const Place& other) { return key(one) < key(other); });
+    const auto last = std::unique(places.begin(), places.end(),
+      [](const Place& one, const Place& other) { return one.a == other.a && one.b == other.b; });
+    places.erase(last, places.end());
+    return places;
+  }
+
+  /// The greatest distance, by straight ways. The farthest places come first, so that few have to
+  /// be looked at.
+  double farthestOf(std::vector<Place> places, const LevelCurve& to, const Poll& poll) const
+  {
+    std::sort(places.begin(), places.end(),
+      [](const Place& one, const Place& other) { return one.distance > other.distance; });
+    StraightWays ways(this->mesh_, to, this->front_, ViewsPerVertex * this->front_.reachedCount());
+    double farthest = 0.0;
+    for (const Place& place : places)
+    {
+      if (Ahead * place.distance <= farthest || std::isinf(place.distance))
+      {
+        return std::max(farthest, place.distance);
+      }
+      poll();
+      const double straight =
+        ways.shortest(place.position, place.a, place.b, FarAhead * place.distance);
+      const bool isKnown = std::isfinite(straight) && !ways.isExhausted();
+      farthest = std::max(farthest, isKnown ? straight : place.distance);
+    }
+    return farthest;
   }
 
   const PointsRef& vertices_;
-  const Triangles& triangles_;
+  const MeshTopology& mesh_;
   const ValuesRef& values_;
   const ValuesRef& isoValues_;
   const std::vector<Index>& ranks_; ///< of the values among the iso-values

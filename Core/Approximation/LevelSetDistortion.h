@@ -39,8 +39,14 @@ SURFACESCALARSCORE_EXPORT LevelSetDistortion hausdorffDistortion(const PointsRef
 
 /**
  * The same by the distance along the surface: of the points in which edges cross one value to the
- * curves that f, linear on triangles, makes of the other, by a front that starts there. On the unit
- * sphere of 16,386 vertices it is right to 0.8%, and the error falls with the length of edges.
+ * curve that f, linear on triangles, makes of the other, by the shortest straight way over unfolded
+ * triangles (StraightWays.h), never too short and on a flat mesh exact.
+ *
+ * A front from the curve says which points are farthest. What it says, on average too much, is
+ * taken where a way has to bend, and of level sets so many edges apart that following straight ways
+ * would take longer than the front. Where triangles are large against the bends of the curve it may
+ * miss the farthest point: between circles of two edges and more, with triangles of 4 to 1, the
+ * largest distance was up to 2% too small.
  *
  * Time in proportion to the vertices between level sets and an edge around, n at most per interval.
  *

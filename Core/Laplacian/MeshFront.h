@@ -3,6 +3,7 @@
 #include "Front.h"
 #include "MeshTopology.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace SurfaceScalars
@@ -33,6 +34,8 @@ public:
   void reach(const std::vector<Index>& targets, const Poll& poll);
 
   double distance(Index vertex) const { return this->front_.distance(vertex); }
+  /// Of vertices with a finite distance.
+  std::size_t reachedCount() const { return this->front_.reached().size(); }
   /// The least way to a place across an edge, ends included.
   double across(const Vector3d& place, Index a, Index b) const;
 
