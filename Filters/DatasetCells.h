@@ -4,10 +4,12 @@
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <vector>
 
@@ -48,6 +50,32 @@ void forEachCell(vtkDataSet* input, const Execution& execution, const Visit& vis
     }
   }
 }
+
+/// Whether cells of a dataset are marked (vtkGhostType).
+class CellMarks
+{
+public:
+  explicit CellMarks(vtkDataSet* input)
+    : marks_(input->GetCellGhostArray())
+  {
+  }
+
+  /// Not part of the dataset.
+  bool isHidden(vtkIdType cell) const { return this->is(cell, vtkDataSetAttributes::HIDDENCELL); }
+  /// Counts in another piece.
+  bool isDuplicate(vtkIdType cell) const
+  {
+    return this->is(cell, vtkDataSetAttributes::DUPLICATECELL);
+  }
+
+private:
+  bool is(vtkIdType cell, unsigned char mark) const
+  {
+    return this->marks_ && (this->marks_->GetValue(cell) & mark) != 0;
+  }
+
+  vtkUnsignedCharArray* marks_;
+};
 
 /// The flat cells of a dataset as polydata, whose cells are parts of those.
 struct FlatCells

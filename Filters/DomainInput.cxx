@@ -201,6 +201,44 @@ DomainInput readSolidCells(
   return domain;
 }
 
+/// Drops the simplices of hidden cells, and the vertices that are in no others.
+template <class Simplices>
+void dropHidden(vtkDataSet* input, DomainInput& domain, Simplices& simplices)
+{
+  const CellMarks marks(input);
+  std::vector<Eigen::Index> kept;
+  for (std::size_t i = 0; i < domain.cells.size(); ++i)
+  {
+    if (!marks.isHidden(domain.cells[i]))
+    {
+      kept.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  if (kept.size() == domain.cells.size())
+  {
+    return;
+  }
+  require(!kept.empty(), "cells that are not hidden",
+    "none among " + std::to_string(input->GetNumberOfCells()), "Check what is upstream.");
+  simplices = Simplices(simplices(Eigen::all, kept));
+  std::transform(kept.begin(), kept.end(), domain.cells.begin(),
+    [&](Eigen::Index i) { return domain.cells[static_cast<std::size_t>(i)]; });
+  domain.cells.resize(kept.size());
+
+  VertexMap& map = domain.mesh.surface.map;
+  VertexMap among = allPoints(domain.vertices().cols());
+  keepCorners(simplices, among);
+  for (Index& vertex : map.vertexOfPoint)
+  {
+    vertex = vertex == VertexMap::None ? vertex : among.vertexOfPoint[vertex];
+  }
+  std::transform(among.pointOfVertex.begin(), among.pointOfVertex.end(), map.pointOfVertex.begin(),
+    [&](vtkIdType vertex) { return map.pointOfVertex[static_cast<std::size_t>(vertex)]; });
+  map.pointOfVertex.resize(among.pointOfVertex.size());
+  domain.mesh.surface.vertices = Points(domain.vertices()(Eigen::all, among.pointOfVertex));
+  domain.mesh.values = Values(domain.mesh.values(among.pointOfVertex));
+}
+
 void noteIgnored(FilterRun& run, vtkIdType ignored, vtkIdType total, const std::string& cells)
 {
   if (ignored > 0)
@@ -210,12 +248,8 @@ void noteIgnored(FilterRun& run, vtkIdType ignored, vtkIdType total, const std::
   }
 }
 
-} // namespace
-
-DomainInput readDomain(FilterRun& run, const Execution& execution, vtkDataSet* input)
+DomainInput readCells(FilterRun& run, const Execution& execution, vtkDataSet* input)
 {
-  require(input && input->GetNumberOfPoints() > 0, "a surface or volume", "no points",
-    "Check what is upstream.");
   if (auto* surface = vtkPolyData::SafeDownCast(input))
   {
     return readPolyData(run, execution, surface);
@@ -233,6 +267,24 @@ DomainInput readDomain(FilterRun& run, const Execution& execution, vtkDataSet* i
   }
   noteIgnored(run, counts.flat + counts.other, total, "flat, lines or vertices");
   return readSolidCells(run, execution, input, counts);
+}
+
+} // namespace
+
+DomainInput readDomain(FilterRun& run, const Execution& execution, vtkDataSet* input)
+{
+  require(input && input->GetNumberOfPoints() > 0, "a surface or volume", "no points",
+    "Check what is upstream.");
+  DomainInput domain = readCells(run, execution, input);
+  if (domain.isVolume())
+  {
+    dropHidden(input, domain, domain.tetrahedra);
+  }
+  else
+  {
+    dropHidden(input, domain, domain.mesh.surface.triangles);
+  }
+  return domain;
 }
 
 } // namespace SurfaceScalars

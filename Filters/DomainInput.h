@@ -35,6 +35,8 @@ struct DomainInput
  * - Without, but with triangles, pixels, quads, polygons or strips it is a surface: a flat image,
  *   say, with two triangles for each pixel.
  *
+ * Hidden cells are no part of it. Cells that another piece has, too, are.
+ *
  * Points without a finite position or value are left out with what is around them, and counted in a
  * note; so are points in no triangle or tetrahedron, and what has the same corner twice. What is
  * left of a volume need not be a manifold.

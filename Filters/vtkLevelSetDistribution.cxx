@@ -1,5 +1,6 @@
 #include "vtkLevelSetDistribution.h"
 
+#include "DatasetCells.h"
 #include "DomainInput.h"
 #include "FieldTarget.h"
 #include "FilterRun.h"
@@ -56,13 +57,44 @@ void checkProperties(vtkLevelSetDistribution& filter)
     std::to_string(intervals), "0 chooses as many as take some seconds.");
 }
 
-LevelSetCoverage coverageOf(const DomainInput& domain, double tolerance, const Execution& execution)
+/// The triangles or tetrahedra that do not count in another piece.
+std::vector<Eigen::Index> ownSimplices(vtkDataSet* input, const DomainInput& domain)
 {
+  const CellMarks marks(input);
+  std::vector<Eigen::Index> own;
+  for (std::size_t i = 0; i < domain.cells.size(); ++i)
+  {
+    if (!marks.isDuplicate(domain.cells[i]))
+    {
+      own.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  require(!own.empty(), "cells that are no duplicates of another piece's",
+    "none among " + std::to_string(input->GetNumberOfCells()), "Check what is upstream.");
+  return own;
+}
+
+/// Of those that do not count in another piece; the others are not covered.
+LevelSetCoverage coverageOf(
+  vtkDataSet* input, const DomainInput& domain, double tolerance, const Execution& execution)
+{
+  const SimplicesRef simplices = domain.isVolume() ? SimplicesRef(domain.tetrahedra)
+                                                   : SimplicesRef(domain.mesh.surface.triangles);
+  const std::vector<Eigen::Index> own = ownSimplices(input, domain);
   const Values& values = domain.mesh.values;
-  return domain.isVolume()
-    ? levelSetCoverage(domain.vertices(), domain.tetrahedra, values, tolerance, execution)
-    : levelSetCoverage(
-        domain.vertices(), domain.mesh.surface.triangles, values, tolerance, execution);
+  if (own.size() == domain.cells.size())
+  {
+    return levelSetCoverage(domain.vertices(), simplices, values, tolerance, execution);
+  }
+  LevelSetCoverage coverage = levelSetCoverage(
+    domain.vertices(), Simplices(simplices(Eigen::all, own)), values, tolerance, execution);
+  std::vector<char> covered(domain.cells.size(), 0);
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    covered[static_cast<std::size_t>(own[i])] = coverage.covered[i];
+  }
+  coverage.covered = std::move(covered);
+  return coverage;
 }
 
 /// Ascending, of the critical points that reach the threshold, a fraction of f's range.
@@ -185,8 +217,8 @@ int vtkLevelSetDistribution::RequestData(
       DomainInput domain = readDomain(run, execution.part(0.0, ReadShare), input);
       require(!domain.isVolume() || !isGeodesic(*this), "DistanceMeasure Hausdorff for a volume",
         "Geodesic", "Distances within a volume are not offered: choose Hausdorff.");
-      const LevelSetCoverage coverage =
-        coverageOf(domain, this->CoverageTolerance, execution.part(ReadShare, CoverageShare));
+      const LevelSetCoverage coverage = coverageOf(
+        input, domain, this->CoverageTolerance, execution.part(ReadShare, CoverageShare));
       noteCoverage(run, coverage);
       LevelSetDistortion distortion;
       if (!coverage.coverages.empty())

@@ -32,8 +32,9 @@
  * values it takes is what tells functions apart. Of a constant nothing is covered, and there are no
  * values; a warning says so.
  *
- * What is left out and refused is as of vtkMeshCriticalPoints for surfaces. Volumes need not be
- * manifolds. The blocks of a composite dataset are worked on one by one.
+ * What is left out and refused is as of vtkMeshCriticalPoints for surfaces, and hidden cells are
+ * left out. Duplicates of cells of another piece do not count in the coverage and are not covered.
+ * Volumes need not be manifolds. The blocks of a composite dataset are worked on one by one.
  *
  * @sa vtkMeshlessApproximation vtkMeshCriticalPoints
  */

@@ -10,6 +10,7 @@
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <Eigen/Geometry>
 
@@ -98,6 +99,19 @@ vtkSmartPointer<vtkPolyData> stepMesh()
     mesh->GetPointData()->GetScalars()->SetComponent(i, 0, std::clamp(x, 12.0, 20.0) + 0.3);
   }
   return mesh;
+}
+
+/// Marks the cells for which a condition on their corners holds.
+template <class Condition>
+void mark(vtkDataSet* input, unsigned char ghost, const Condition& isMarked)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    ghosts->InsertNextValue(isMarked(input->GetCell(cell)) ? ghost : 0);
+  }
+  input->GetCellData()->AddArray(ghosts);
 }
 
 void expectRefusal(vtkLevelSetDistribution* filter, std::initializer_list<const char*> parts)
@@ -342,6 +356,70 @@ TEST(LevelSetDistribution, leavesMissingValuesOut)
   const auto is = covered(filter);
   EXPECT_GE(std::count(is.begin(), is.end(), 0), 6);
   EXPECT_GT(field(filter, "GlobalCoverage")[0], 0.99);
+}
+
+// Duplicates count in another piece, not here: of what is left of the steps, 20 columns, 8 are not
+// flat. Nor are they covered.
+TEST(LevelSetDistribution, duplicatesDoNotCount)
+{
+  const auto mesh = stepMesh();
+  const auto isLeft = [](vtkCell* cell)
+  { return cell->GetBounds()[1] <= 12.0 || cell->GetBounds()[0] >= 20.0; };
+  mark(mesh, vtkDataSetAttributes::DUPLICATECELL,
+    [](vtkCell* cell) { return cell->GetBounds()[1] <= 12.0; });
+  const auto filter = distribution(mesh);
+  EXPECT_TRUE(update(filter).succeeded);
+  EXPECT_NEAR(field(filter, "GlobalCoverage").front(), 0.4, 1e-12);
+
+  // Nothing but what is not flat is a duplicate.
+  mark(mesh, vtkDataSetAttributes::DUPLICATECELL, [&](vtkCell* cell) { return !isLeft(cell); });
+  EXPECT_TRUE(update(filter).succeeded);
+  EXPECT_NEAR(field(filter, "GlobalCoverage").front(), 0.0, 1e-12);
+  const auto is = covered(filter);
+  EXPECT_EQ(std::count(is.begin(), is.end(), 1), 0);
+
+  mark(mesh, vtkDataSetAttributes::DUPLICATECELL, [](vtkCell*) { return true; });
+  expectRefusal(filter, { "cells that are no duplicates" });
+}
+
+// Hidden cells are as those around points without a value, whatever the value is, but for the
+// warning.
+TEST(LevelSetDistribution, hiddenCellsAreNotThere)
+{
+  for (const vtkSmartPointer<vtkDataSet>& input :
+    std::vector<vtkSmartPointer<vtkDataSet>>{ torusMesh(torusHeight()), slopeImage(20, 20, 1),
+      slopeImage(8, 8, 8), tetrahedraOf(slopeImage(7, 7, 7)) })
+  {
+    const auto isOut = [&](vtkIdType point) { return input->GetPoint(point)[0] > 0.5; };
+    const auto withValue = [&](double value)
+    {
+      const auto copy = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
+      copy->DeepCopy(input);
+      for (vtkIdType point = 0; point < copy->GetNumberOfPoints(); ++point)
+      {
+        if (isOut(point))
+        {
+          copy->GetPointData()->GetScalars()->SetComponent(point, 0, value);
+        }
+      }
+      return distribution(copy);
+    };
+    const auto missing = withValue(NaN);
+    EXPECT_TRUE(update(missing).succeeded);
+    const auto hidden = withValue(1e9);
+    mark(vtkDataSet::SafeDownCast(hidden->GetInput()), vtkDataSetAttributes::HIDDENCELL,
+      [&](vtkCell* cell)
+      {
+        const auto* ids = cell->GetPointIds()->GetPointer(0);
+        return std::any_of(ids, ids + cell->GetNumberOfPoints(), isOut);
+      });
+    expectSilentSuccess(update(hidden));
+    EXPECT_GT(column(hidden, 2, "Distortion").size(), 4U);
+    EXPECT_EQ(column(hidden, 1, "Coverage"), column(missing, 1, "Coverage"));
+    EXPECT_EQ(column(hidden, 2, "Distortion"), column(missing, 2, "Distortion"));
+    EXPECT_EQ(field(hidden, "OptimalIsoValues"), field(missing, "OptimalIsoValues"));
+    EXPECT_EQ(covered(hidden), covered(missing));
+  }
 }
 
 // What is no surface is refused, and points are referred to the filters for them.
