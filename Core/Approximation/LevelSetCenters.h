@@ -10,8 +10,10 @@ namespace SurfaceScalars
  * The paper's centers (sec. 4): those of stars, and points spread over the level sets of the
  * uniform optimal partition where these cross edges (C_iso). If they leave more than a quarter of
  * the simplices uncovered, that share of the centers is spread over the corners of these (C_ls).
- * The paper looks for them by jumps of the distortion map; but what no level set meets lies between
- * two of them by itself.
+ *
+ * The paper looks for them where the distortion map jumps. But without plateaus nothing is
+ * uncovered there, and plateaus, which have critical points, are in no interval of the map
+ * (Documentation/meshless-paper.md has figures).
  *
  * @param stars vertices at distinct places @param count of all centers, if there are as many places
  * @param tolerance of the coverage, above 0 and below 1
