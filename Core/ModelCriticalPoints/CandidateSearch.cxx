@@ -1,5 +1,6 @@
 #include "CandidateSearch.h"
 
+#include "ChartPrediction.h"
 #include "SurfaceRestriction.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace
 {
 
 constexpr double SamePlace = 0.1; // of two points, in spacings of the mesh
+constexpr int MostSteps = 10;     // for a point
+constexpr int PatientSteps = 6;   // of one search: few that take more arrive
 
 bool isSame(const SurfaceSearch& one, const SurfaceSearch& other)
 {
@@ -20,62 +23,107 @@ bool isSame(const SurfaceSearch& one, const SurfaceSearch& other)
 class CandidateSearch
 {
 public:
-  CandidateSearch(
-    const PointsRef& vertices, const MeshTopology& mesh, const Field& u, double tolerance)
-    : vertices_(vertices)
-    , mesh_(mesh)
-    , newton_(vertices, mesh, u, { tolerance })
-    , isConstant_(tolerance == 0.0)
+  CandidateSearch(const ModelOnMesh& model, const CriticalPoint& candidate, SearchStage stage,
+    const Poll& poll, Arrivals& arrivals)
+    : model_(model)
+    , newton_(model.vertices, model.mesh, model.values, model.u, model.tolerance)
+    , vertex_(static_cast<Index>(candidate.input))
+    , type_(candidate.type)
+    , stage_(stage)
+    , poll_(poll)
+    , arrivals_(arrivals)
   {
+    this->arrivals_.residual = this->newton_.residualAt(this->vertex_);
   }
 
-  Arrivals from(const CriticalPoint& candidate, const Poll& poll)
+  void search(int wanted)
   {
-    const auto vertex = static_cast<Index>(candidate.input);
-    Arrivals arrivals;
-    arrivals.residual = this->newton_.residualAt(vertex);
-    if (this->mesh_.isBoundary(vertex) || this->isConstant_)
+    this->wanted_ = this->arrivals_.found.size() + static_cast<std::size_t>(wanted);
+    if (this->stage_ == SearchStage::Certain)
     {
-      return arrivals;
-    }
-    this->steps_ = 0;
-    const auto wanted = static_cast<std::size_t>(candidate.multiplicity);
-    const auto search = [&](Index start, ChartChoice charts)
-    {
-      if (arrivals.found.size() < wanted)
+      this->onNearestCharts();
+      this->onChart(this->vertex_, 0);
+      for (const Index neighbor : this->model_.mesh.link(this->vertex_))
       {
-        this->add(start, candidate.type, charts, poll, arrivals);
+        this->onChart(neighbor, 0);
       }
-    };
-    search(vertex, ChartChoice::Nearest);
-    search(vertex, ChartChoice::First);
-    for (const Index neighbor : this->mesh_.link(vertex))
-    {
-      search(neighbor, ChartChoice::Nearest);
+      return;
     }
-    return arrivals;
+    const std::size_t count = // none where there is no chart
+      this->newton_.enter(this->vertex_) ? this->newton_.chart().fitCount() : 0;
+    for (std::size_t rank = 1; rank < count; ++rank)
+    {
+      this->onChart(this->vertex_, rank);
+    }
   }
 
 private:
-  void add(Index start, CriticalType type, ChartChoice charts, const Poll& poll, Arrivals& arrivals)
+  bool goesOn() const
   {
-    const SurfaceSearch search =
-      this->newton_.search(this->vertices_.col(start), start, type, charts, poll);
-    this->steps_ += search.stepCount();
-    const auto isKnown = [&](const Arrival& other) { return isSame(search, other.search); };
-    if (search.isCritical && search.isOnMesh && typeOf(search.restricted.hessian) == type &&
-      std::none_of(arrivals.found.begin(), arrivals.found.end(), isKnown))
+    return this->arrivals_.found.size() < this->wanted_ && this->arrivals_.steps < MostSteps;
+  }
+
+  std::vector<Vector3d> predictions()
+  {
+    return predictedPlaces(this->model_.vertices, this->model_.mesh, this->newton_.chart(),
+      this->type_, this->model_.vertices.col(this->vertex_));
+  }
+
+  /// From what the vertex' own chart predicts, on the charts of the vertices next to there.
+  void onNearestCharts()
+  {
+    if (!this->newton_.enter(this->vertex_))
     {
-      arrivals.found.push_back({ search, this->steps_ });
-      this->steps_ = 0;
+      return;
+    }
+    for (const Vector3d& place : this->predictions())
+    {
+      if (this->goesOn() && this->newton_.enter(this->newton_.chart().nearestVertex(place)))
+      {
+        this->searchFrom(place);
+      }
     }
   }
 
-  PointsRef vertices_;
-  const MeshTopology& mesh_;
+  void onChart(Index vertex, std::size_t rank)
+  {
+    if (!this->goesOn() || !this->newton_.enter(vertex))
+    {
+      return;
+    }
+    this->newton_.chart().choose(rank);
+    for (const Vector3d& place : this->predictions())
+    {
+      if (this->goesOn())
+      {
+        this->searchFrom(place);
+      }
+    }
+  }
+
+  void searchFrom(const Vector3d& place)
+  {
+    const int most = std::min(PatientSteps, MostSteps - this->arrivals_.steps);
+    const SurfaceSearch search = this->newton_.search(place, this->type_, most, this->poll_);
+    this->arrivals_.steps += search.stepCount();
+    const auto isKnown = [&](const Arrival& other) { return isSame(search, other.search); };
+    std::vector<Arrival>& found = this->arrivals_.found;
+    if (search.isCritical && search.isOnMesh && typeOf(search.restricted.hessian) == this->type_ &&
+      std::none_of(found.begin(), found.end(), isKnown))
+    {
+      found.push_back({ search, this->arrivals_.steps, this->stage_ });
+      this->arrivals_.steps = 0;
+    }
+  }
+
+  const ModelOnMesh& model_;
   SurfaceNewton newton_;
-  bool isConstant_;
-  int steps_ = 0; ///< since something was found
+  Index vertex_;
+  CriticalType type_;
+  SearchStage stage_;
+  const Poll& poll_;
+  Arrivals& arrivals_;
+  std::size_t wanted_ = 0;
 };
 
 } // namespace
@@ -85,18 +133,23 @@ double reachOf(const SurfaceSearch& search)
   return SamePlace * search.spacing;
 }
 
-std::vector<Arrivals> searchFromAll(const PointsRef& vertices, const MeshTopology& mesh,
-  const Field& u, const std::vector<CriticalPoint>& candidates, double tolerance,
+void searchFromAll(const ModelOnMesh& model, const std::vector<CriticalPoint>& candidates,
+  SearchStage stage, const std::vector<int>& wanted, std::vector<Arrivals>& arrivals,
   const Execution& execution)
 {
-  std::vector<Arrivals> arrivals(candidates.size());
   parallelForEach(candidates.size(), execution,
     [&](std::size_t i, const Poll& poll)
     {
-      const CriticalPoint& candidate = candidates[i];
-      arrivals[i] = CandidateSearch(vertices, mesh, u, tolerance).from(candidate, poll);
+      if (wanted[i] == 0)
+      {
+        return;
+      }
+      CandidateSearch search(model, candidates[i], stage, poll, arrivals[i]);
+      if (!model.mesh.isBoundary(static_cast<Index>(candidates[i].input)) && model.tolerance > 0.0)
+      {
+        search.search(wanted[i]);
+      }
     });
-  return arrivals;
 }
 
 } // namespace SurfaceScalars

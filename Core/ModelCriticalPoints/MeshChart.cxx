@@ -2,17 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_set>
-#include <utility>
 
 namespace SurfaceScalars
 {
 namespace
 {
-
-constexpr int LowestDegree = 2;
-constexpr double VerticesPerTerm[] = { 1.6, 3.2 }; // the second for noise
 
 double cross(const Vector2d& a, const Vector2d& b)
 {
@@ -21,9 +16,10 @@ double cross(const Vector2d& a, const Vector2d& b)
 
 } // namespace
 
-MeshChart::MeshChart(const PointsRef& vertices, const MeshTopology& mesh)
+MeshChart::MeshChart(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values)
   : vertices_(vertices)
   , mesh_(mesh)
+  , values_(values)
 {
 }
 
@@ -57,9 +53,8 @@ void MeshChart::gather(Index vertex, std::size_t count)
 bool MeshChart::fitTo(Index vertex, std::size_t count, int degree, LocalFit& fit)
 {
   this->gather(vertex, count);
-  const auto all = static_cast<Eigen::Index>(this->gathered_.size());
   this->samples_.points = this->vertices_(Eigen::all, this->gathered_);
-  this->samples_.values.setZero(all);
+  this->samples_.values = this->values_(this->gathered_);
   this->samples_.weights =
     (this->samples_.points.colwise() - this->vertices_.col(vertex)).colwise().squaredNorm();
   std::vector<double> squares(this->samples_.weights.begin(), this->samples_.weights.end());
@@ -74,28 +69,34 @@ bool MeshChart::fitTo(Index vertex, std::size_t count, int degree, LocalFit& fit
 
 bool MeshChart::center(Index vertex)
 {
-  double least = std::numeric_limits<double>::infinity();
-  LocalFit fit;
+  this->order_.clear();
+  this->rank_ = 0;
+  std::size_t next = 0;
   for (int degree = LocalFit::MaximumDegree; degree >= LowestDegree; --degree)
   {
     for (const double share : VerticesPerTerm)
     {
       const double count = share * LocalFit::termCount(degree);
+      LocalFit& fit = this->fits_[next];
       if (this->fitTo(vertex, static_cast<std::size_t>(count), degree, fit))
       {
         const double error = fit.heightDeviation(this->samples_) / (fit.scale() * std::sqrt(count));
-        if (error < least)
+        if (std::isfinite(error))
         {
-          least = error;
-          std::swap(this->fit_, fit);
+          this->order_.emplace_back(error, next);
         }
       }
+      ++next;
     }
   }
-  if (!std::isfinite(least) &&
-    !this->fitTo(vertex, LocalFit::termCount(LowestDegree), 1, this->fit_))
+  std::sort(this->order_.begin(), this->order_.end());
+  if (this->order_.empty())
   {
-    return false;
+    if (!this->fitTo(vertex, LocalFit::termCount(LowestDegree), 1, this->fits_[0]))
+    {
+      return false;
+    }
+    this->order_.emplace_back(0.0, 0);
   }
   this->vertex_ = vertex;
   const VertexRange link = this->mesh_.link(vertex);
@@ -139,7 +140,7 @@ bool MeshChart::covers(const Vector3d& place) const
   }
   // Whether the direction to the place is between those of two neighbors in a row.
   const auto directionTo = [&](const Vector3d& p) -> Vector2d
-  { return this->fit_.flatten(p) - this->fit_.flatten(this->vertices_.col(nearest)); };
+  { return this->fit().flatten(p) - this->fit().flatten(this->vertices_.col(nearest)); };
   const Vector2d direction = directionTo(place);
   const VertexRange path = this->mesh_.linkPath(nearest);
   for (const Index* corner = path.begin(); corner + 1 != path.end(); ++corner)

@@ -3,7 +3,9 @@
 #include "LocalFit.h"
 #include "MeshTopology.h"
 
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace SurfaceScalars
@@ -16,24 +18,27 @@ namespace SurfaceScalars
  * is the fit whose slope is most certain, deviation / (radius sqrt(count)): of degree 4 with few
  * vertices on smooth surfaces, with many where these are noisy, of degree 2 where they bend much
  * within a few triangles. Vertices are gathered along the edges, so that a thin plate has two
- * sides; a planar mesh is its own chart.
+ * sides; a planar mesh is its own chart. A function known at the vertices is fitted with it.
  *
  * Not for several threads at once.
  */
 class SURFACESCALARSCORE_EXPORT MeshChart
 {
 public:
-  /// @param vertices of the mesh; both must outlive this
-  MeshChart(const PointsRef& vertices, const MeshTopology& mesh);
+  /// @param vertices of the mesh; these must outlive this
+  /// @param values of the function at the vertices
+  MeshChart(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values);
 
-  /// @returns false where the vertices do not determine a surface
+  /// Chooses the most certain fit. @returns false where the vertices do not determine a surface
   bool center(Index vertex);
 
   // After center() returned true:
+  std::size_t fitCount() const { return this->order_.size(); }
+  void choose(std::size_t rank) { this->rank_ = rank; } ///< a fit, 0 = the most certain
   Index vertex() const { return this->vertex_; }
-  const LocalFit& fit() const { return this->fit_; }
-  double radius() const { return this->fit_.scale(); } ///< of the vertices fitted to
-  double spacing() const { return this->spacing_; }    ///< mean length of the edges at the vertex
+  const LocalFit& fit() const { return this->fits_[this->order_[this->rank_].second]; }
+  double radius() const { return this->fit().scale(); } ///< of the vertices fitted to
+  double spacing() const { return this->spacing_; }     ///< mean length of the edges at the vertex
   /// The vertex next to a place, going from neighbor to neighbor.
   Index nearestVertex(const Vector3d& place) const;
   /// Whether a place near the surface is not beyond the boundary of the mesh.
@@ -43,10 +48,17 @@ private:
   void gather(Index vertex, std::size_t count);
   bool fitTo(Index vertex, std::size_t count, int degree, LocalFit& fit);
 
+  static constexpr int LowestDegree = 2;
+  static constexpr double VerticesPerTerm[] = { 1.6, 3.2 }; ///< the second for noise
+  static constexpr int FitCount = 2 * (LocalFit::MaximumDegree - LowestDegree + 1);
+
   PointsRef vertices_;
   const MeshTopology& mesh_;
+  ValuesRef values_;
   Index vertex_ = 0;
-  LocalFit fit_;
+  std::array<LocalFit, FitCount> fits_;
+  std::vector<std::pair<double, std::size_t>> order_; ///< of the fits, by uncertainty
+  std::size_t rank_ = 0;
   double spacing_ = 0.0;
   std::vector<Index> gathered_; ///< ring by ring
   WeightedSamples samples_;

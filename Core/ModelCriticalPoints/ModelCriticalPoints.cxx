@@ -20,7 +20,8 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double Tolerance = 1e-10; // of the tangential gradient, in its scale
+constexpr double Tolerance = 1e-10;  // of the tangential gradient, in its scale
+constexpr double CertainShare = 0.7; // of the time for searches
 
 /// Tells which arrivals stand for points of u, and what becomes of the other candidates.
 class Settlement
@@ -31,20 +32,51 @@ public:
     : mesh_(mesh)
     , candidates_(candidates)
     , arrivals_(arrivals)
-    , left_(candidates.points.size())
   {
     for (std::size_t i = 0; i < candidates.points.size(); ++i)
     {
-      this->left_[i] = candidates.points[i].multiplicity;
+      this->left_.push_back(candidates.points[i].multiplicity);
       if (!this->isInside(i))
       {
         this->ofBoundary_[candidates.points[i].input] = candidates.points[i].type;
       }
     }
+    this->settle();
+    this->cancel();
   }
 
+  /// Of the multiplicity of each candidate, what neither stands for a point nor has vanished.
+  const std::vector<int>& left() const { return this->left_; }
+
+  /// What is left remains vertices.
+  ModelCriticalPoints result() const
+  {
+    ModelCriticalPoints result = this->settled_;
+    for (std::size_t i = 0; i < this->left_.size(); ++i)
+    {
+      if (this->left_[i] > 0)
+      {
+        ModelCriticalPoint kept{ this->candidates_.points[i], this->candidates_.points[i].input };
+        kept.point.multiplicity = this->left_[i];
+        kept.point.residual = this->arrivals_[i].residual;
+        kept.iterations = this->arrivals_[i].steps;
+        result.points.push_back(kept);
+      }
+    }
+    std::stable_sort(result.points.begin(), result.points.end(),
+      [](const ModelCriticalPoint& a, const ModelCriticalPoint& b) { return a.origin < b.origin; });
+    return result;
+  }
+
+private:
+  struct Claim
+  {
+    std::size_t candidate;
+    const Arrival* arrival;
+  };
+
   /// One point for all that arrive at a place: that of the most persistent candidate.
-  void settle(ModelCriticalPoints& result)
+  void settle()
   {
     const std::vector<Claim> claims = this->claims();
     const Points places =
@@ -66,13 +98,13 @@ public:
       {
         isSettled[i] = 1;
         --this->left_[claim.candidate];
-        result.points.push_back(this->refined(claim));
+        this->settled_.points.push_back(this->refined(claim));
       }
     }
   }
 
   /// Pairs neither of which stands for a point.
-  void cancel(ModelCriticalPoints& result)
+  void cancel()
   {
     for (const CriticalPair& pair : this->candidates_.pairs)
     {
@@ -82,33 +114,12 @@ public:
         for (const std::size_t candidate : { pair.extremum, pair.saddle })
         {
           --this->left_[candidate];
-          ++(this->arrivals_[candidate].found.empty() ? result.vanished : result.merged);
+          ++(this->arrivals_[candidate].found.empty() ? this->settled_.vanished
+                                                      : this->settled_.merged);
         }
       }
     }
   }
-
-  /// The others remain vertices.
-  void keepRest(ModelCriticalPoints& result) const
-  {
-    for (std::size_t i = 0; i < this->left_.size(); ++i)
-    {
-      if (this->left_[i] > 0)
-      {
-        ModelCriticalPoint kept{ this->candidates_.points[i], this->candidates_.points[i].input };
-        kept.point.multiplicity = this->left_[i];
-        kept.point.residual = this->arrivals_[i].residual;
-        result.points.push_back(kept);
-      }
-    }
-  }
-
-private:
-  struct Claim
-  {
-    std::size_t candidate;
-    const Arrival* arrival;
-  };
 
   bool isInside(std::size_t candidate) const
   {
@@ -127,7 +138,7 @@ private:
     return isHeld(vertex) || std::any_of(link.begin(), link.end(), isHeld);
   }
 
-  /// The most persistent first.
+  /// Those on the most certain charts first, and of these the most persistent.
   std::vector<Claim> claims() const
   {
     std::vector<Claim> claims;
@@ -141,8 +152,10 @@ private:
     std::stable_sort(claims.begin(), claims.end(),
       [&](const Claim& a, const Claim& b)
       {
-        return this->candidates_.points[a.candidate].persistence >
-          this->candidates_.points[b.candidate].persistence;
+        return a.arrival->stage != b.arrival->stage
+          ? a.arrival->stage < b.arrival->stage
+          : this->candidates_.points[a.candidate].persistence >
+            this->candidates_.points[b.candidate].persistence;
       });
     return claims;
   }
@@ -164,7 +177,8 @@ private:
   const MeshCriticalPoints& candidates_;
   const std::vector<Arrivals>& arrivals_;
   std::map<std::size_t, CriticalType> ofBoundary_; ///< critical vertices
-  std::vector<int> left_; ///< of the multiplicity of each candidate, what stands for no point yet
+  std::vector<int> left_;
+  ModelCriticalPoints settled_;
 };
 
 } // namespace
@@ -203,16 +217,20 @@ ModelCriticalPoints refineOnModel(const PointsRef& vertices, const MeshTopology&
     "a place and a value for each of the " + std::to_string(mesh.vertexCount()) + " vertices",
     std::to_string(vertices.cols()) + " places and " + std::to_string(values.size()) + " values",
     "Choose those of the mesh.");
-  ModelCriticalPoints result;
-  result.gradientScale = gradientScale(vertices, mesh.triangles(), values);
-  const std::vector<Arrivals> arrivals = searchFromAll(
-    vertices, mesh, u, candidates.points, Tolerance * result.gradientScale, execution);
-  Settlement settlement(mesh, candidates, arrivals);
-  settlement.settle(result);
-  settlement.cancel(result);
-  settlement.keepRest(result);
-  std::stable_sort(result.points.begin(), result.points.end(),
-    [](const ModelCriticalPoint& a, const ModelCriticalPoint& b) { return a.origin < b.origin; });
+  const double scale = gradientScale(vertices, mesh.triangles(), values);
+  const ModelOnMesh model{ vertices, mesh, values, u, Tolerance * scale };
+  std::vector<Arrivals> arrivals(candidates.points.size());
+  std::vector<int> wanted;
+  for (const CriticalPoint& candidate : candidates.points)
+  {
+    wanted.push_back(candidate.multiplicity);
+  }
+  searchFromAll(model, candidates.points, SearchStage::Certain, wanted, arrivals,
+    execution.part(0.0, CertainShare));
+  searchFromAll(model, candidates.points, SearchStage::Other,
+    Settlement(mesh, candidates, arrivals).left(), arrivals, execution.part(CertainShare, 1.0));
+  ModelCriticalPoints result = Settlement(mesh, candidates, arrivals).result();
+  result.gradientScale = scale;
   return result;
 }
 

@@ -15,7 +15,7 @@ struct ModelCriticalPoint
     point; ///< `input` is the nearest vertex, the residual there, -1 without derivatives
   std::size_t origin = 0; ///< the critical vertex that it came from
   bool isRefined = false; ///< else it is that vertex
-  int iterations = 0;     ///< Newton steps
+  int iterations = 0;     ///< Newton steps, those of searches in vain included: at most 10
 };
 
 struct ModelCriticalPoints
@@ -34,15 +34,18 @@ SURFACESCALARSCORE_EXPORT double gradientScale(
 /**
  * The critical points of u off the vertices (design paper, sec. 5), from those of its values at the
  * vertices: on the smooth surface of MeshChart, to a tangential gradient of 1e-10 of
- * gradientScale() by SurfaceNewton, in at most 10 steps for each search.
+ * gradientScale() by SurfaceNewton, in at most 10 steps for each candidate.
  *
  * The critical vertices obey Euler's formula; so does what becomes of them. From each one of the
- * interior a point of its own type is searched for, where that fails also on its own chart alone
- * and from its neighbors; so too from a saddle of multiplicity m, which u has m simple ones for. Of
- * several that lead to one point the most persistent stands for it, or a critical vertex of the
- * boundary next to it. An extremum and a saddle which are a pair (MeshCriticalPoints::pairs) and
- * neither of which stands for a point were made by the triangles: both vanish, and the sum of the
- * indices stays. What is not explained so, and critical vertices of the boundary, remain vertices.
+ * interior a point of its own type is searched for, on the chart on which the polynomial through
+ * u's values predicts one: its own, that of the vertex next to there, or a neighbor's; from a
+ * saddle of multiplicity m several, as u has m simple ones for it. Of several that lead to one
+ * point the most persistent stands for it, or a critical vertex of the boundary next to it. An
+ * extremum and a saddle which are a pair (MeshCriticalPoints::pairs) and neither of which stands
+ * for a point were made by the triangles: both vanish, and the sum of the indices stays. For what
+ * is not explained so there is a point on some smooth surface: it is searched for on the other fits
+ * to the vertices around. What is not found there either, and critical vertices of the boundary,
+ * remain vertices.
  * A pair of critical points of u closer to each other than the mesh is fine, of which the vertices
  * show nothing, is not searched for.
  *

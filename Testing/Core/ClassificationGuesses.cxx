@@ -161,6 +161,28 @@ std::vector<Guess> randomGuesses(const Mesh& mesh, int count)
 constexpr int SquareSize = 40;     // edges along a side
 constexpr int MostGuessSteps = 50; // from places far from any critical point
 
+/// A search for any critical point that goes on from chart to chart.
+SurfaceSearch roam(SurfaceNewton& newton, const Guess& guess)
+{
+  SurfaceSearch whole;
+  whole.place = guess.place;
+  whole.vertex = guess.vertex;
+  do
+  {
+    newton.enter(whole.vertex);
+    SurfaceSearch part =
+      newton.search(whole.place, CriticalType::Uncertain, MostGuessSteps - whole.stepCount());
+    part.evaluations += whole.evaluations;
+    if (!whole.residuals.empty()) // the last of which the part begins with
+    {
+      part.residuals.insert(
+        part.residuals.begin(), whole.residuals.begin(), whole.residuals.end() - 1);
+    }
+    whole = part;
+  } while (!whole.isOnChart && whole.isOnMesh && whole.stepCount() < MostGuessSteps);
+  return whole;
+}
+
 void reportShares(MarkdownReport& report, bool isReduced)
 {
   const Mesh mesh = planarSquare(SquareSize);
@@ -184,11 +206,11 @@ void reportShares(MarkdownReport& report, bool isReduced)
     }
     const Values values = u.evaluate(mesh.vertices, {}).values;
     const double scale = gradientScale(mesh.vertices, mesh.triangles, values);
-    SurfaceNewton newton(mesh.vertices, topology, u, { 1e-10 * scale, MostGuessSteps });
+    SurfaceNewton newton(mesh.vertices, topology, values, u, 1e-10 * scale);
     GuessRun run;
     for (const Guess& guess : guesses)
     {
-      run.add(newton.search(guess.place, guess.vertex, CriticalType::Uncertain), exact);
+      run.add(roam(newton, guess), exact);
     }
     std::string hits;
     for (const int hit : run.hits)
@@ -220,14 +242,14 @@ void reportIterations(const MarkdownReport& report)
   for (const double noise : { 0.0, 0.01 })
   {
     const Field u = approximate({ "", peaks, noise });
-    SurfaceNewton newton(mesh.vertices, topology, u, { 0.0, MostGuessSteps });
+    const Values values = u.evaluate(mesh.vertices, {}).values;
+    SurfaceNewton newton(mesh.vertices, topology, values, u, 0.0);
     report.head("peaks, noise " + number("%g", noise) + ": norms of the gradient step by step",
       { "guess", "place", "evaluations", "gradient" });
     int shown = 0;
     for (const Guess& guess : randomGuesses(mesh, 40))
     {
-      const SurfaceSearch search =
-        newton.search(guess.place, guess.vertex, CriticalType::Uncertain);
+      const SurfaceSearch search = roam(newton, guess);
       if (!search.isOnMesh || search.residuals.back() > 1e-9 || shown == 4)
       {
         continue;

@@ -142,7 +142,8 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
         [&](const ModelCriticalPoint& point)
         { return !point.isRefined && topology.isBoundary(static_cast<Index>(point.origin)); });
       const auto characteristic = static_cast<double>(topology.eulerCharacteristic());
-      const bool isKept = run.sum == characteristic && run.largestResidual() <= 1e-10;
+      const bool isKept =
+        run.sum == characteristic && run.largestResidual() <= 1e-10 && run.mostSteps() <= 10;
       report.row({ file.stem().string(), std::to_string(topology.vertexCount()),
         std::to_string(run.candidates.points.size()), std::to_string(refined),
         std::to_string(run.result.merged), std::to_string(run.result.vanished),

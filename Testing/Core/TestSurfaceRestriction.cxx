@@ -38,7 +38,8 @@ TEST(SurfaceRestriction, isTheChainRule)
   const auto approximation = u.approximation();
   const Mesh mesh = torusMesh(60, true);
   const MeshTopology topology = topologyOf(mesh);
-  MeshChart chart(mesh.vertices, topology);
+  const Values values = mesh.vertices.row(0);
+  MeshChart chart(mesh.vertices, topology, values);
   for (Index vertex = 0; vertex < 200; vertex += 17)
   {
     ASSERT_TRUE(chart.center(vertex));
@@ -73,7 +74,8 @@ TEST(SurfaceRestriction, isCurvedLikeTheSurface)
   FieldJet height;
   height.gradient = Vector3d::UnitZ();
   height.hessian.setZero();
-  MeshChart chart(mesh.vertices, topology);
+  const Values values = mesh.vertices.row(0);
+  MeshChart chart(mesh.vertices, topology, values);
   Eigen::Index top = 0;
   mesh.vertices.row(2).maxCoeff(&top);
   ASSERT_TRUE(chart.center(static_cast<Index>(top)));
@@ -111,7 +113,8 @@ TEST(MeshChart, ofAPlaneIsThePlane)
   const Eigen::AngleAxisd turn(0.8, Vector3d(1, 2, 3).normalized());
   mesh.vertices = (turn.toRotationMatrix() * mesh.vertices).colwise() + Vector3d(5, -3, 2);
   const MeshTopology topology = topologyOf(mesh);
-  MeshChart chart(mesh.vertices, topology);
+  const Values values = mesh.vertices.row(0);
+  MeshChart chart(mesh.vertices, topology, values);
   for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
   {
     ASSERT_TRUE(chart.center(vertex));
@@ -128,7 +131,8 @@ TEST(MeshChart, convergesToTheSurface)
   {
     const Mesh mesh = torusMesh(around, true);
     const MeshTopology topology = topologyOf(mesh);
-    MeshChart chart(mesh.vertices, topology);
+    const Values values = mesh.vertices.row(0);
+    MeshChart chart(mesh.vertices, topology, values);
     double largest = 0.0;
     for (Index vertex = 0; vertex < topology.vertexCount(); vertex += 7)
     {
@@ -150,7 +154,8 @@ TEST(MeshChart, doesNotMixTheSidesOfAPlate)
   Mesh mesh = torusMesh(120, false);
   mesh.vertices.row(2) *= 0.02;
   const MeshTopology topology = topologyOf(mesh);
-  MeshChart chart(mesh.vertices, topology);
+  const Values values = mesh.vertices.row(0);
+  MeshChart chart(mesh.vertices, topology, values);
   Eigen::Index top = 0;
   mesh.vertices.row(2).maxCoeff(&top);
   ASSERT_TRUE(chart.center(static_cast<Index>(top)));
@@ -164,7 +169,8 @@ TEST(MeshChart, endsAtTheBoundary)
   const int size = 10;
   const Mesh mesh = squareMesh(size, 0.0);
   const MeshTopology topology = topologyOf(mesh);
-  MeshChart chart(mesh.vertices, topology);
+  const Values values = mesh.vertices.row(0);
+  MeshChart chart(mesh.vertices, topology, values);
   for (Index vertex = 0; vertex < topology.vertexCount(); ++vertex)
   {
     ASSERT_TRUE(chart.center(vertex));
@@ -188,12 +194,12 @@ TEST(SurfaceNewton, convergesQuadratically)
   const Field u = fewCenters(closedTorus(), 60, KernelType::Gaussian, 0.7, 3);
   const Values values = u.evaluate(mesh.vertices, {}).values;
   const double scale = gradientScale(mesh.vertices, mesh.triangles, values);
-  SurfaceNewton newton(mesh.vertices, topology, u, { 1e-10 * scale });
+  SurfaceNewton newton(mesh.vertices, topology, values, u, 1e-10 * scale);
   int count = 0;
   for (const CriticalPoint& point : meshCriticalPoints(mesh.vertices, topology, values).points)
   {
-    const SurfaceSearch search =
-      newton.search(point.position, static_cast<Index>(point.input), point.type);
+    ASSERT_TRUE(newton.enter(static_cast<Index>(point.input)));
+    const SurfaceSearch search = newton.search(point.position, point.type, 10);
     ASSERT_TRUE(search.isCritical && search.isOnMesh);
     const std::size_t last = search.residuals.size() - 1;
     if (last >= 2)
