@@ -135,17 +135,20 @@ void writeModelCriticalPoints(const std::vector<ModelCriticalPoint>& points, vtk
   Values residuals(static_cast<Eigen::Index>(points.size()));
   std::vector<int> iterations;
   std::vector<int> refined;
+  std::vector<int> ends;
   for (const ModelCriticalPoint& point : points)
   {
     residuals[static_cast<Eigen::Index>(places.size())] = point.point.residual;
     places.push_back(point.point);
     iterations.push_back(point.iterations);
-    refined.push_back(point.isRefined ? 1 : 0);
+    refined.push_back(point.isRefined() ? 1 : 0);
+    ends.push_back(static_cast<int>(point.end));
   }
   writeCriticalPoints(places, output);
   output->GetPointData()->AddArray(makeDoubles("Residual", residuals));
   output->GetPointData()->AddArray(makeInts("Iterations", iterations));
   output->GetPointData()->AddArray(makeInts("Refined", refined));
+  output->GetPointData()->AddArray(makeInts("RefinementEnd", ends));
 }
 
 } // namespace SurfaceScalars

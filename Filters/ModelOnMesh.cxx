@@ -57,7 +57,7 @@ void noteUnrefined(FilterRun& run, const ModelCriticalPoints& found, const Field
   const MeshTopology& topology)
 {
   const auto isLeft = [&](const ModelCriticalPoint& point)
-  { return !point.isRefined && !topology.isBoundary(static_cast<Index>(point.origin)); };
+  { return !point.isRefined() && !topology.isBoundary(static_cast<Index>(point.origin)); };
   const auto left = std::count_if(found.points.begin(), found.points.end(), isLeft);
   if (found.gradientScale == 0.0)
   {
@@ -112,7 +112,7 @@ void writeRefinement(FilterRun& run, const ModelCriticalPoints& found, std::size
   const Field& model, const MeshTopology& topology, vtkInformationVector* outputs)
 {
   const auto refined = std::count_if(found.points.begin(), found.points.end(),
-    [](const ModelCriticalPoint& point) { return point.isRefined; });
+    [](const ModelCriticalPoint& point) { return point.isRefined(); });
   const vtkSmartPointer<vtkDataArray> arrays[] = {
     makeInt("CandidateCount", static_cast<int>(candidates)),
     makeInt("RefinedCount", static_cast<int>(refined)),

@@ -12,8 +12,6 @@ namespace
 {
 
 constexpr double SamePlace = 0.1; // of two points, in spacings of the mesh
-constexpr int MostSteps = 10;     // for a point
-constexpr int PatientSteps = 6;   // of one search: few that take more arrive
 
 bool isSame(const SurfaceSearch& one, const SurfaceSearch& other)
 {
@@ -42,18 +40,19 @@ public:
     if (this->stage_ == SearchStage::Certain)
     {
       this->onNearestCharts();
-      this->onChart(this->vertex_, 0);
-      for (const Index neighbor : this->model_.mesh.link(this->vertex_))
-      {
-        this->onChart(neighbor, 0);
-      }
-      return;
     }
-    const std::size_t count = // none where there is no chart
-      this->newton_.enter(this->vertex_) ? this->newton_.chart().fitCount() : 0;
-    for (std::size_t rank = 1; rank < count; ++rank)
+    const std::size_t begin = this->stage_ == SearchStage::Certain ? 0 : 1;
+    const std::size_t end = this->stage_ == SearchStage::Certain ? 1 : MeshChart::MostFits;
+    for (std::size_t rank = begin; rank < end; ++rank)
     {
       this->onChart(this->vertex_, rank);
+    }
+    for (std::size_t rank = begin; rank < end; ++rank)
+    {
+      for (const Index neighbor : this->model_.mesh.link(this->vertex_))
+      {
+        this->onChart(neighbor, rank);
+      }
     }
   }
 
@@ -87,7 +86,7 @@ private:
 
   void onChart(Index vertex, std::size_t rank)
   {
-    if (!this->goesOn() || !this->newton_.enter(vertex))
+    if (!this->goesOn() || !this->newton_.enter(vertex) || rank >= this->newton_.chart().fitCount())
     {
       return;
     }
@@ -103,8 +102,9 @@ private:
 
   void searchFrom(const Vector3d& place)
   {
-    const int most = std::min(PatientSteps, MostSteps - this->arrivals_.steps);
-    const SurfaceSearch search = this->newton_.search(place, this->type_, most, this->poll_);
+    const SearchEffort effort{ MostSteps - this->arrivals_.steps };
+    const SurfaceSearch search = this->newton_.search(place, this->type_, effort, this->poll_);
+    ++this->arrivals_.searches;
     this->arrivals_.steps += search.stepCount();
     const auto isKnown = [&](const Arrival& other) { return isSame(search, other.search); };
     std::vector<Arrival>& found = this->arrivals_.found;

@@ -12,7 +12,7 @@ namespace SurfaceScalars
 enum class SearchStage
 {
   Certain, ///< the most certain charts of the vertex and of its neighbors
-  Other    ///< the other fits to the vertices around it, the more certain first
+  Other    ///< the other fits to the vertices around these, the more certain first
 };
 
 /// Where one search from a candidate leads.
@@ -28,8 +28,11 @@ struct Arrivals
 {
   std::vector<Arrival> found; ///< different ones
   int steps = 0;              ///< in vain since the last of them
+  int searches = 0;           ///< of all stages
   double residual = 0.0;      ///< at the candidate itself
 };
+
+constexpr int MostSteps = 10; ///< for a point
 
 /// How far points may lie that are the same, length: a fraction of the spacing of the mesh.
 double reachOf(const SurfaceSearch& search);

@@ -25,6 +25,9 @@ namespace SurfaceScalars
 class SURFACESCALARSCORE_EXPORT MeshChart
 {
 public:
+  static constexpr int LowestDegree = 2;
+  static constexpr std::size_t MostFits = 2 * (LocalFit::MaximumDegree - LowestDegree + 1);
+
   /// @param vertices of the mesh; these must outlive this
   /// @param values of the function at the vertices
   MeshChart(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values);
@@ -48,15 +51,12 @@ private:
   void gather(Index vertex, std::size_t count);
   bool fitTo(Index vertex, std::size_t count, int degree, LocalFit& fit);
 
-  static constexpr int LowestDegree = 2;
   static constexpr double VerticesPerTerm[] = { 1.6, 3.2 }; ///< the second for noise
-  static constexpr int FitCount = 2 * (LocalFit::MaximumDegree - LowestDegree + 1);
-
   PointsRef vertices_;
   const MeshTopology& mesh_;
   ValuesRef values_;
   Index vertex_ = 0;
-  std::array<LocalFit, FitCount> fits_;
+  std::array<LocalFit, MostFits> fits_;
   std::vector<std::pair<double, std::size_t>> order_; ///< of the fits, by uncertainty
   std::size_t rank_ = 0;
   double spacing_ = 0.0;

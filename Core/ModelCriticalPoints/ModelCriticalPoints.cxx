@@ -56,7 +56,8 @@ public:
     {
       if (this->left_[i] > 0)
       {
-        ModelCriticalPoint kept{ this->candidates_.points[i], this->candidates_.points[i].input };
+        ModelCriticalPoint kept{ this->candidates_.points[i], this->candidates_.points[i].input,
+          this->endOf(i) };
         kept.point.multiplicity = this->left_[i];
         kept.point.residual = this->arrivals_[i].residual;
         kept.iterations = this->arrivals_[i].steps;
@@ -126,6 +127,18 @@ private:
     return !this->mesh_.isBoundary(static_cast<Index>(this->candidates_.points[candidate].input));
   }
 
+  /// Why something of a candidate is left.
+  RefinementEnd endOf(std::size_t candidate) const
+  {
+    const Arrivals& arrivals = this->arrivals_[candidate];
+    return !this->isInside(candidate) ? RefinementEnd::OnBoundary
+      : arrivals.residual < 0.0       ? RefinementEnd::NoDerivative
+      : arrivals.searches == 0        ? RefinementEnd::NotPredicted
+      : !arrivals.found.empty()       ? RefinementEnd::Taken
+      : arrivals.steps >= MostSteps   ? RefinementEnd::OutOfSteps
+                                      : RefinementEnd::NotFound;
+  }
+
   /// Whether a critical vertex of the boundary, which remains, is next to where a search ends.
   bool isHeldByBoundary(Index vertex, CriticalType type) const
   {
@@ -163,7 +176,7 @@ private:
   ModelCriticalPoint refined(const Claim& claim) const
   {
     const CriticalPoint& candidate = this->candidates_.points[claim.candidate];
-    ModelCriticalPoint result{ candidate, candidate.input, true };
+    ModelCriticalPoint result{ candidate, candidate.input };
     result.point.position = claim.arrival->search.place;
     result.point.multiplicity = 1;
     result.point.value = claim.arrival->search.restricted.value;
@@ -239,7 +252,7 @@ double indexSum(const std::vector<ModelCriticalPoint>& points, const MeshTopolog
   double sum = 0.0;
   for (const ModelCriticalPoint& point : points)
   {
-    const bool isHalf = !point.isRefined && mesh.isBoundary(static_cast<Index>(point.origin));
+    const bool isHalf = !point.isRefined() && mesh.isBoundary(static_cast<Index>(point.origin));
     sum += (isHalf ? 0.5 : 1.0) * indexOf(point.point);
   }
   return sum;

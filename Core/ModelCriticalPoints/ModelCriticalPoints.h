@@ -8,14 +8,28 @@
 namespace SurfaceScalars
 {
 
+/// What became of a candidate; the numbers are written to files.
+enum class RefinementEnd
+{
+  Refined,
+  OnBoundary,   ///< not searched from: it is critical along the boundary
+  NoDerivative, ///< u or the surface has no derivatives there
+  NotPredicted, ///< on no fit around have the values a critical point of its type
+  Taken,        ///< only points were found that others stand for
+  OutOfSteps,   ///< nothing was found in 10 steps
+  NotFound      ///< nor in fewer, where all predictions lead
+};
+
 /// A critical point of a function of space restricted to the smooth surface that a mesh samples.
 struct ModelCriticalPoint
 {
   CriticalPoint
     point; ///< `input` is the nearest vertex, the residual there, -1 without derivatives
-  std::size_t origin = 0; ///< the critical vertex that it came from
-  bool isRefined = false; ///< else it is that vertex
-  int iterations = 0;     ///< Newton steps, those of searches in vain included: at most 10
+  std::size_t origin = 0;                     ///< the critical vertex that it came from
+  RefinementEnd end = RefinementEnd::Refined; ///< others remain at that vertex
+  int iterations = 0; ///< Newton steps, those of searches in vain included: at most 10
+
+  bool isRefined() const { return this->end == RefinementEnd::Refined; }
 };
 
 struct ModelCriticalPoints

@@ -24,7 +24,7 @@ bool SurfaceNewton::enter(Index vertex)
 }
 
 SurfaceSearch SurfaceNewton::search(
-  const Vector3d& place, CriticalType type, int mostSteps, const Poll& poll)
+  const Vector3d& place, CriticalType type, const SearchEffort& effort, const Poll& poll)
 {
   SurfaceSearch result;
   result.place = place;
@@ -40,17 +40,20 @@ SurfaceSearch SurfaceNewton::search(
   { return this->evaluate(st, there); };
   result.residuals.push_back(point.residual);
   const auto isOnChart = [&] { return point.st.norm() <= this->chart_.radius(); };
-  while (isOnChart() && point.residual > this->tolerance_ && result.stepCount() < mostSteps)
+  bool goesOn = true;
+  while (goesOn && isOnChart() && point.residual > this->tolerance_ &&
+    result.stepCount() < effort.mostSteps)
   {
     if (poll)
     {
       poll();
     }
-    if (!region.step(point, this->chart_.radius(), u))
+    goesOn = region.step(point, this->chart_.radius(), u);
+    if (goesOn)
     {
-      break;
+      goesOn = effort.isPatient || point.residual <= 0.5 * result.residuals.back();
+      result.residuals.push_back(point.residual);
     }
-    result.residuals.push_back(point.residual);
   }
   result.evaluations = this->evaluations_;
   result.place = this->chart_.fit().lift(point.st);

@@ -29,6 +29,13 @@ struct SurfaceSearch
   int stepCount() const { return std::max(0, static_cast<int>(this->residuals.size()) - 1); }
 };
 
+struct SearchEffort
+{
+  int mostSteps = 10;
+  /// Goes on after a step that does not halve the tangential gradient, as far from critical points.
+  bool isPatient = false;
+};
+
 /**
  * Newton's method for critical points of a function u of space restricted to the smooth surface
  * that a mesh samples (design paper, sec. 5), within trust regions. A search stays on one chart,
@@ -54,7 +61,7 @@ public:
   /// @param place next to its vertex
   /// @param type Minimum, Saddle, Maximum, or Uncertain for any
   SurfaceSearch search(
-    const Vector3d& place, CriticalType type, int mostSteps, const Poll& poll = {});
+    const Vector3d& place, CriticalType type, const SearchEffort& effort, const Poll& poll = {});
 
   /// The norm of the tangential gradient at a vertex, whose chart is entered; -1 where u has no
   /// derivatives.

@@ -170,8 +170,8 @@ SurfaceSearch roam(SurfaceNewton& newton, const Guess& guess)
   do
   {
     newton.enter(whole.vertex);
-    SurfaceSearch part =
-      newton.search(whole.place, CriticalType::Uncertain, MostGuessSteps - whole.stepCount());
+    SurfaceSearch part = newton.search(
+      whole.place, CriticalType::Uncertain, { MostGuessSteps - whole.stepCount(), true });
     part.evaluations += whole.evaluations;
     if (!whole.residuals.empty()) // the last of which the part begins with
     {

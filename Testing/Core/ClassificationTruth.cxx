@@ -17,6 +17,8 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -114,12 +116,8 @@ Field waveThroughVertices(const Mesh& mesh)
   return Field::fit(centers, valuesOf(wave, centers), parameters);
 }
 
-void reportMeshes(MarkdownReport& report, const std::string& folder)
+std::vector<std::filesystem::path> meshesOf(const std::string& folder)
 {
-  report.head("meshes of a folder, u from 300 values at vertices",
-    { "mesh", "vertices", "candidates", "refined", "merged", "vanished", "left inside",
-      "left on the boundary", "index sum", "Euler characteristic", "within 10 steps",
-      "gradient / scale", "kept" });
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
   {
@@ -129,34 +127,78 @@ void reportMeshes(MarkdownReport& report, const std::string& folder)
     }
   }
   std::sort(files.begin(), files.end());
-  for (const std::filesystem::path& file : files)
+  return files;
+}
+
+/// What becomes of the candidates of a mesh, or of all.
+struct Ends
+{
+  static constexpr RefinementEnd LeftInside[] = { RefinementEnd::NoDerivative,
+    RefinementEnd::NotPredicted, RefinementEnd::Taken, RefinementEnd::OutOfSteps,
+    RefinementEnd::NotFound };
+  // Candidates, refined, merged, vanished, on the boundary, left inside by cause.
+  std::vector<std::size_t> counts = std::vector<std::size_t>(5 + std::size(LeftInside));
+  int mostSteps = 0;
+  double largestResidual = 0.0;
+
+  void add(const ModelRun& run)
+  {
+    std::vector<std::size_t> ofRun{ run.candidates.points.size(),
+      run.countOf(RefinementEnd::Refined), run.result.merged, run.result.vanished,
+      run.countOf(RefinementEnd::OnBoundary) };
+    for (const RefinementEnd end : LeftInside)
+    {
+      ofRun.push_back(run.countOf(end));
+    }
+    std::transform(ofRun.begin(), ofRun.end(), this->counts.begin(), this->counts.begin(),
+      std::plus<std::size_t>());
+    this->mostSteps = std::max(this->mostSteps, run.mostSteps());
+    this->largestResidual = std::max(this->largestResidual, run.largestResidual());
+  }
+
+  void report(const MarkdownReport& table, const std::string& name, const std::string& vertices,
+    const std::string& sums, const std::string& kept) const
+  {
+    std::vector<std::string> row{ name, vertices };
+    for (const std::size_t count : this->counts)
+    {
+      row.push_back(std::to_string(count));
+    }
+    row.insert(row.end(),
+      { sums, std::to_string(this->mostSteps), number("%.1e", this->largestResidual), kept });
+    table.row(row);
+  }
+};
+
+void reportMeshes(MarkdownReport& report, const std::string& folder)
+{
+  report.head("meshes of a folder, u from 300 values at vertices",
+    { "mesh", "vertices", "candidates", "refined", "merged", "vanished", "on the boundary",
+      "no derivative", "not predicted", "taken", "out of steps", "not found",
+      "index sum, Euler characteristic", "most steps", "gradient / scale", "kept" });
+  Ends all;
+  for (const std::filesystem::path& file : meshesOf(folder))
   {
     try
     {
       const Mesh mesh = asMesh(readCentered(file));
       const MeshTopology topology = topologyOf(mesh);
-      const Field u = waveThroughVertices(mesh);
-      const ModelRun run(mesh.vertices, topology, u);
-      const std::size_t refined = run.refined().size();
-      const auto onBoundary = std::count_if(run.result.points.begin(), run.result.points.end(),
-        [&](const ModelCriticalPoint& point)
-        { return !point.isRefined && topology.isBoundary(static_cast<Index>(point.origin)); });
+      const ModelRun run(mesh.vertices, topology, waveThroughVertices(mesh));
       const auto characteristic = static_cast<double>(topology.eulerCharacteristic());
       const bool isKept =
         run.sum == characteristic && run.largestResidual() <= 1e-10 && run.mostSteps() <= 10;
-      report.row({ file.stem().string(), std::to_string(topology.vertexCount()),
-        std::to_string(run.candidates.points.size()), std::to_string(refined),
-        std::to_string(run.result.merged), std::to_string(run.result.vanished),
-        std::to_string(run.result.points.size() - refined - static_cast<std::size_t>(onBoundary)),
-        std::to_string(onBoundary), number("%g", run.sum), number("%g", characteristic),
-        ofAll(run.countWithin(10), static_cast<int>(refined)),
-        number("%.1e", run.largestResidual()), report.kept(isKept) });
+      Ends ends;
+      ends.add(run);
+      all.add(run);
+      ends.report(report, file.stem().string(), std::to_string(topology.vertexCount()),
+        number("%g", run.sum) + ", " + number("%g", characteristic), report.kept(isKept));
     }
     catch (const std::exception& error)
     {
       std::fprintf(stderr, "%s: %s\n", file.filename().c_str(), error.what());
     }
   }
+  all.report(report, "all", "", "", "");
 }
 
 } // namespace

@@ -122,7 +122,7 @@ struct ModelRun
     std::vector<CriticalPoint> points;
     for (const ModelCriticalPoint& point : this->result.points)
     {
-      if (point.isRefined)
+      if (point.isRefined())
       {
         points.push_back(point.point);
       }
@@ -138,12 +138,11 @@ struct ModelRun
     }
     return most;
   }
-  /// The refined points that no more steps than that led to.
-  int countWithin(int steps) const
+  std::size_t countOf(RefinementEnd end) const
   {
-    return static_cast<int>(std::count_if(this->result.points.begin(), this->result.points.end(),
-      [=](const ModelCriticalPoint& point)
-      { return point.isRefined && point.iterations <= steps; }));
+    return static_cast<std::size_t>(
+      std::count_if(this->result.points.begin(), this->result.points.end(),
+        [=](const ModelCriticalPoint& point) { return point.end == end; }));
   }
   /// Of the refined points, in the scale of the gradient.
   double largestResidual() const

@@ -199,7 +199,7 @@ TEST(SurfaceNewton, convergesQuadratically)
   for (const CriticalPoint& point : meshCriticalPoints(mesh.vertices, topology, values).points)
   {
     ASSERT_TRUE(newton.enter(static_cast<Index>(point.input)));
-    const SurfaceSearch search = newton.search(point.position, point.type, 10);
+    const SurfaceSearch search = newton.search(point.position, point.type, { 10, true });
     ASSERT_TRUE(search.isCritical && search.isOnMesh);
     const std::size_t last = search.residuals.size() - 1;
     if (last >= 2)

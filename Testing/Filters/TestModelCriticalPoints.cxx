@@ -115,6 +115,7 @@ TEST(ModelCriticalPointsFilter, refinesTheCriticalPointsOfAModel)
   const auto residuals = numbersOf(pointArray(filter, "Residual", 1));
   const auto refined = numbersOf(pointArray(filter, "Refined", 1));
   const auto iterations = numbersOf(pointArray(filter, "Iterations", 1));
+  const auto ends = numbersOf(pointArray(filter, "RefinementEnd", 1));
   ASSERT_EQ(residuals.size(), found.size());
   Points places(3, static_cast<Eigen::Index>(found.size()));
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -126,6 +127,7 @@ TEST(ModelCriticalPointsFilter, refinesTheCriticalPointsOfAModel)
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     EXPECT_EQ(refined[i], 1.0);
+    EXPECT_EQ(ends[i], 0.0);
     EXPECT_LE(iterations[i], 10.0);
     EXPECT_LE(residuals[i], 1e-10 * count(filter, "GradientScale"));
     const auto column = static_cast<Eigen::Index>(i);
