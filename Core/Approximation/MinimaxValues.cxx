@@ -10,8 +10,9 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double PlacesPerCenter = 16.0;
-constexpr double MostDependences = 2.5e8; // two gigabytes
+constexpr double PlacesPerCenter = 16.0;  // at first
+constexpr double MostDependences = 2.5e8; // of misses on values: two gigabytes
+constexpr double FirstShare = 0.8;        // of these at most
 constexpr int Rounds = 10;
 constexpr double EnoughOfAll = 1.02; // largest miss at all vertices, in that at the places
 
@@ -32,14 +33,19 @@ std::vector<Index> missedMore(const Values& misses, double than, Eigen::Index mo
   return result;
 }
 
-/// Spread over all vertices, as many as centers ask for and memory allows.
+/// Of places at which all values at so many centers count.
+Eigen::Index mostPlaces(Eigen::Index centerCount)
+{
+  return static_cast<Eigen::Index>(MostDependences) / centerCount;
+}
+
+/// Spread over all vertices.
 std::vector<Index> firstPlaces(
   const Points& vertices, Eigen::Index centerCount, const Execution& execution)
 {
-  const auto count = static_cast<double>(centerCount);
-  const double most = MostDependences / count;
-  return evenSubset(
-    vertices, static_cast<std::size_t>(std::min(PlacesPerCenter * count, most)), execution);
+  const double count = std::min(PlacesPerCenter * static_cast<double>(centerCount),
+    FirstShare * static_cast<double>(mostPlaces(centerCount)));
+  return evenSubset(vertices, static_cast<std::size_t>(count), execution);
 }
 
 } // namespace
@@ -49,12 +55,17 @@ void minimizeLargestMiss(CenterSum& sum, const CenterSet& centers, const Points&
 {
   sum.interpolate(centers, execution.part(0.0, 0.1));
   const Eigen::Index free = centers.places.cols() - centers.starCount;
+  if (free == 0)
+  {
+    return;
+  }
   const Values misses = values - sum.at(vertices, execution.part(0.1, 0.15));
+  const Points freePlaces = centers.places.rightCols(free);
 
-  MinimaxSystem
-    changes; // of the values at the centers that are not of stars, which are missed, too
-  changes.add(sum.dependences(centers.places.rightCols(free), free, execution.part(0.15, 0.2)),
-    Values::Zero(free), execution.part(0.2, 0.2));
+  MinimaxSystem changes; // of the values at these places
+  changes.add(sum.dependences(freePlaces, free, execution.part(0.15, 0.2)),
+    centers.values.tail(free) - sum.at(freePlaces, execution.part(0.15, 0.15)),
+    execution.part(0.2, 0.2));
   std::vector<Index> more = firstPlaces(vertices, free, execution.part(0.2, 0.2));
   std::vector<Index> places;
   Values best = centers.values;
@@ -76,7 +87,9 @@ void minimizeLargestMiss(CenterSum& sum, const CenterSet& centers, const Points&
       least = left.maxCoeff();
       best = tried;
     }
-    more = missedMore(left, EnoughOfAll * left(places).maxCoeff(), free);
+    const auto placeCount = free + static_cast<Eigen::Index>(places.size());
+    more = missedMore(left, EnoughOfAll * left(places).maxCoeff(),
+      std::clamp<Eigen::Index>(mostPlaces(free) - placeCount, 0, free));
   }
   sum.takeValues(best, execution.part(1.0, 1.0));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace SurfaceScalars
 {
@@ -12,6 +13,7 @@ namespace
 constexpr int Steps = 40;
 constexpr double Relaxation = 1.6; // 1.5 to 1.8 are usual
 constexpr double PeakShare = 0.15; // of the errors in sum
+constexpr double Ridge = 1e-13;    // of the normal matrix, per unknown
 constexpr Eigen::Index RowsPerBlock = 64;
 constexpr Eigen::Index EquationsPerBlock = 1024;
 
@@ -61,8 +63,7 @@ void MinimaxSystem::addToNormalMatrix(const Eigen::MatrixXd& transposed, const E
     });
 }
 
-void MinimaxSystem::add(
-  const Eigen::MatrixXd& transposed, const Values& right, const Execution& execution)
+void MinimaxSystem::add(Eigen::MatrixXd transposed, const Values& right, const Execution& execution)
 {
   const Eigen::Index unknowns = transposed.rows();
   if (this->right_.size() == 0)
@@ -70,9 +71,12 @@ void MinimaxSystem::add(
     this->normal_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
   }
   this->addToNormalMatrix(transposed, execution.part(0.0, 0.7));
-  this->factors_.compute(this->normal_, execution.part(0.7, 1.0));
-  this->transposed_.conservativeResize(unknowns, this->right_.size() + right.size());
-  this->transposed_.rightCols(right.size()) = transposed;
+  Eigen::MatrixXd matrix = this->normal_;
+  const double largest = matrix.diagonal().maxCoeff();
+  matrix.diagonal().array() +=
+    Ridge * static_cast<double>(unknowns) * (largest > 0.0 ? largest : 1.0);
+  this->factors_.compute(matrix, execution.part(0.7, 1.0));
+  this->transposed_.push_back(std::move(transposed));
   this->right_ = withMore(this->right_, right);
 }
 
@@ -80,27 +84,41 @@ void MinimaxSystem::add(
 Values MinimaxSystem::product(const Values& unknowns, const Execution& execution) const
 {
   Values result(this->right_.size());
-  parallelFor(static_cast<std::size_t>(result.size()), EquationsPerBlock, execution,
-    [&](std::size_t begin, std::size_t end)
-    {
-      const auto first = static_cast<Eigen::Index>(begin);
-      const auto count = static_cast<Eigen::Index>(end) - first;
-      result.segment(first, count).noalias() =
-        this->transposed_.middleCols(first, count).transpose() * unknowns;
-    });
+  const auto share = [&](Eigen::Index equations)
+  { return static_cast<double>(equations) / static_cast<double>(result.size()); };
+  Eigen::Index done = 0;
+  for (const Eigen::MatrixXd& equations : this->transposed_)
+  {
+    parallelFor(static_cast<std::size_t>(equations.cols()), EquationsPerBlock,
+      execution.part(share(done), share(done + equations.cols())),
+      [&](std::size_t begin, std::size_t end)
+      {
+        const auto first = static_cast<Eigen::Index>(begin);
+        const auto count = static_cast<Eigen::Index>(end) - first;
+        result.segment(done + first, count).noalias() =
+          equations.middleCols(first, count).transpose() * unknowns;
+      });
+    done += equations.cols();
+  }
   return result;
 }
 
 /// Least squares.
 Values MinimaxSystem::closestTo(const Values& wanted, const Execution& execution) const
 {
-  Values result(this->transposed_.rows());
+  Values result = Values::Zero(this->normal_.rows());
   parallelFor(static_cast<std::size_t>(result.size()), RowsPerBlock, execution,
     [&](std::size_t begin, std::size_t end)
     {
       const auto first = static_cast<Eigen::Index>(begin);
       const auto count = static_cast<Eigen::Index>(end) - first;
-      result.segment(first, count).noalias() = this->transposed_.middleRows(first, count) * wanted;
+      Eigen::Index done = 0;
+      for (const Eigen::MatrixXd& equations : this->transposed_)
+      {
+        result.segment(first, count).noalias() +=
+          equations.middleRows(first, count) * wanted.segment(done, equations.cols());
+        done += equations.cols();
+      }
     });
   return this->factors_.solve(result);
 }

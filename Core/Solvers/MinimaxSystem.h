@@ -5,6 +5,8 @@
 #include "Execution.h"
 #include "SurfaceScalarsCoreExport.h"
 
+#include <vector>
+
 namespace SurfaceScalars
 {
 
@@ -21,9 +23,9 @@ namespace SurfaceScalars
 class SURFACESCALARSCORE_EXPORT MinimaxSystem
 {
 public:
-  /// More equations. Those of the first call must determine all unknowns.
+  /// More equations. What they do not determine remains small.
   /// @param transposed their rows of B, one per column @param right of them @throws Aborted
-  void add(const Eigen::MatrixXd& transposed, const Values& right, const Execution& execution = {});
+  void add(Eigen::MatrixXd transposed, const Values& right, const Execution& execution = {});
 
   /// The best unknowns that some more steps came by; least squares is the first. @throws Aborted
   Values solve(const Execution& execution = {});
@@ -33,7 +35,7 @@ private:
   Values product(const Values& unknowns, const Execution& execution) const;
   Values closestTo(const Values& wanted, const Execution& execution) const;
 
-  Eigen::MatrixXd transposed_; ///< B^T
+  std::vector<Eigen::MatrixXd> transposed_; ///< B^T, as it came
   Values right_;
   Eigen::MatrixXd normal_; ///< B^T B, its lower triangle
   BlockCholesky factors_;

@@ -315,6 +315,23 @@ TEST(MeshlessApproximation, minimaxIsNearlyLeast)
   }
 }
 
+// The values of least squares are among those that minimax chooses from, so that it has no larger
+// error but for its few percent: where regularization misses what is asked for, too.
+TEST(MeshlessApproximation, minimaxIsNotFartherThanLeastSquares)
+{
+  const TriangleMesh mesh = octahedralSphere(20);
+  const Values values = waves(mesh.points, 4.0);
+  for (const double regularization : { 0.0, 1.0, 1000.0, 1e10 })
+  {
+    ApproximationParameters parameters = withFraction(0.05);
+    parameters.regularization = regularization;
+    parameters.levelSetConstraints = LevelSetConstraints::LeastSquares;
+    const double near = approximated(mesh, values, parameters).largestError;
+    parameters.levelSetConstraints = LevelSetConstraints::Minimax;
+    EXPECT_LE(approximated(mesh, values, parameters).largestError, 1.1 * near) << regularization;
+  }
+}
+
 // Every kernel, its width chosen, is well conditioned and interpolates the stars.
 TEST(MeshlessApproximation, isWellConditionedWithEveryKernel)
 {
