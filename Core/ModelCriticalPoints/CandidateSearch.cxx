@@ -90,6 +90,7 @@ private:
     {
       return;
     }
+    this->poll_();
     this->newton_.chart().choose(rank);
     for (const Vector3d& place : this->predictions())
     {

@@ -19,8 +19,7 @@ SurfaceNewton::SurfaceNewton(const PointsRef& vertices, const MeshTopology& mesh
 
 bool SurfaceNewton::enter(Index vertex)
 {
-  return this->chart_.center(vertex) &&
-    this->approximation_->center(this->vertices_.col(vertex) - this->field_.cloud().origin());
+  return this->chart_.center(vertex);
 }
 
 SurfaceSearch SurfaceNewton::search(
@@ -31,7 +30,7 @@ SurfaceSearch SurfaceNewton::search(
   result.vertex = this->chart_.vertex();
   this->evaluations_ = 0;
   PlanarPoint point;
-  if (!this->evaluate(this->chart_.fit().flatten(place), point))
+  if (!this->begin(place, point))
   {
     return result;
   }
@@ -69,9 +68,15 @@ SurfaceSearch SurfaceNewton::search(
 double SurfaceNewton::residualAt(Index vertex)
 {
   PlanarPoint point;
-  const bool isKnown = this->enter(vertex) &&
-    this->evaluate(this->chart_.fit().flatten(this->vertices_.col(vertex)), point);
+  const bool isKnown = this->enter(vertex) && this->begin(this->vertices_.col(vertex), point);
   return isKnown ? point.residual : -1.0;
+}
+
+bool SurfaceNewton::begin(const Vector3d& place, PlanarPoint& point)
+{
+  const Vector3d origin = this->field_.cloud().origin();
+  return this->approximation_->center(this->vertices_.col(this->chart_.vertex()) - origin) &&
+    this->evaluate(this->chart_.fit().flatten(place), point);
 }
 
 bool SurfaceNewton::evaluate(const Vector2d& st, PlanarPoint& point)

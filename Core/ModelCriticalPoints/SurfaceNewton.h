@@ -53,7 +53,7 @@ public:
   SurfaceNewton(const PointsRef& vertices, const MeshTopology& mesh, const ValuesRef& values,
     const Field& field, double tolerance);
 
-  /// Takes the chart of a vertex. @returns false where there is none or u is not defined
+  /// Takes the chart of a vertex. @returns false where there is none
   bool enter(Index vertex);
   MeshChart& chart() { return this->chart_; }
 
@@ -68,6 +68,7 @@ public:
   double residualAt(Index vertex);
 
 private:
+  bool begin(const Vector3d& place, PlanarPoint& point);
   bool evaluate(const Vector2d& st, PlanarPoint& point);
 
   MeshChart chart_;
