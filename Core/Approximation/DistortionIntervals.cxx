@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace SurfaceScalars
 {
@@ -91,15 +90,6 @@ void checkAscending(const ValuesRef& isoValues, const ValuesRef& criticalValues)
 }
 
 } // namespace
-
-void checkLevelValues(const PointsRef& vertices, const ValuesRef& values)
-{
-  require(values.size() > 0 && values.size() == vertices.cols(), "one value per vertex",
-    std::to_string(values.size()) + " values for " + std::to_string(vertices.cols()) + " vertices",
-    "Choose another array.");
-  require(values.allFinite() && std::isfinite(values.maxCoeff() - values.minCoeff()),
-    "finite values of a finite range", "others", "Leave out what is missing.");
-}
 
 LevelSetDistortion measureIntervals(const SimplicesRef& cells, const std::vector<Index>& ranks,
   const ValuesRef& isoValues, const ValuesRef& criticalValues, const Execution& execution,

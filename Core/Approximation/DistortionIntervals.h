@@ -21,7 +21,4 @@ LevelSetDistortion measureIntervals(const SimplicesRef& cells, const std::vector
   const ValuesRef& isoValues, const ValuesRef& criticalValues, const Execution& execution,
   const MeasureIntervals& measure);
 
-/// @throws InvalidInput unless there is a finite value for each vertex, of a finite range
-void checkLevelValues(const PointsRef& vertices, const ValuesRef& values);
-
 } // namespace SurfaceScalars

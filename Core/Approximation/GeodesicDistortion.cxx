@@ -1,5 +1,6 @@
 #include "DistortionIntervals.h"
 #include "MeshFront.h"
+#include "MeshValues.h"
 #include "Polyline.h"
 #include "Require.h"
 #include "StraightWays.h"
@@ -158,7 +159,8 @@ LevelSetDistortion geodesicDistortion(const PointsRef& vertices, const MeshTopol
   const ValuesRef& values, const ValuesRef& isoValues, const ValuesRef& criticalValues,
   const Execution& execution)
 {
-  checkLevelValues(vertices, values);
+  checkVertexValues(mesh.vertexCount(), values);
+  checkValueRange(values);
   require(vertices.cols() == mesh.vertexCount(), "the vertices of the mesh",
     std::to_string(vertices.cols()) + " of " + std::to_string(mesh.vertexCount()),
     "Choose those of one mesh.");

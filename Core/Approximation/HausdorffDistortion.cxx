@@ -1,4 +1,5 @@
 #include "DistortionIntervals.h"
+#include "MeshValues.h"
 #include "PointTree.h"
 
 #include <algorithm>
@@ -79,7 +80,8 @@ LevelSetDistortion hausdorffDistortion(const PointsRef& vertices, const Simplice
   const ValuesRef& values, const ValuesRef& isoValues, const ValuesRef& criticalValues,
   const Execution& execution)
 {
-  checkLevelValues(vertices, values);
+  checkVertexValues(static_cast<Index>(vertices.cols()), values);
+  checkValueRange(values);
   const LevelSetFinder finder(vertices, edges, values);
   const std::vector<Index> ranks = ranksAmong(isoValues, values, { execution.threadCount, {} });
   return measureIntervals(edges, ranks, isoValues, criticalValues, execution,

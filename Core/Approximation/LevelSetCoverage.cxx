@@ -1,5 +1,6 @@
 #include "LevelSetCoverage.h"
 
+#include "MeshValues.h"
 #include "NumberText.h"
 #include "Require.h"
 
@@ -128,14 +129,13 @@ void checkInput(const PointsRef& vertices, const SimplicesRef& simplices, const 
     std::to_string(simplices.cols()) + " simplices of " + std::to_string(simplices.rows()) +
       " corners",
     "Choose a mesh.");
-  require(values.size() == vertices.cols() && simplices.maxCoeff() < values.size(),
-    "one value per vertex and corners among them",
-    std::to_string(values.size()) + " values, " + std::to_string(vertices.cols()) +
-      " vertices and the corner " + std::to_string(simplices.maxCoeff()),
-    "Choose another array.");
-  require(vertices.allFinite() && values.allFinite() && std::isfinite(Division(values).range()),
-    "finite vertices and values of a finite range", "others",
-    "Leave out what is missing, or choose another unit.");
+  checkVertexValues(static_cast<Index>(vertices.cols()), values);
+  checkValueRange(values);
+  require(simplices.maxCoeff() < values.size(), "corners that are vertices",
+    "a corner " + std::to_string(simplices.maxCoeff()) + " of " + std::to_string(values.size()),
+    "Check what made this mesh.");
+  require(
+    vertices.allFinite(), "finite vertices", "others", "Leave them out, with what is around them.");
 }
 
 /// The share that each step adds.

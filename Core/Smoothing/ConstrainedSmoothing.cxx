@@ -2,6 +2,7 @@
 
 #include "ConstrainedFunction.h"
 #include "ExtremumPlacing.h"
+#include "MeshValues.h"
 #include "NumberText.h"
 #include "Quantile.h"
 #include "Require.h"
@@ -46,20 +47,8 @@ void checkInput(
   const SmoothingMesh& mesh, const ValuesRef& values, const SmoothingParameters& parameters)
 {
   const Index count = mesh.topology().vertexCount();
-  require(values.size() == count, "one value per vertex",
-    std::to_string(values.size()) + " values for " + std::to_string(count) + " vertices",
-    "Choose another array.");
-  const auto wrong = std::find_if_not(
-    values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  if (wrong != values.end())
-  {
-    const auto vertex = static_cast<Index>(wrong - values.begin());
-    throw InvalidInput("finite values",
-      textOf(*wrong) + " at vertex " + std::to_string(nameOfVertex(vertex, mesh.nameOf())),
-      "Remove such vertices, or give them a value.");
-  }
-  require(std::isfinite(values.maxCoeff() - values.minCoeff()), "values of finite range",
-    textOf(values.minCoeff()) + " to " + textOf(values.maxCoeff()), "Choose another unit.");
+  checkVertexValues(count, values, mesh.nameOf());
+  checkValueRange(values);
   checkFraction(parameters.persistenceThreshold, "PersistenceThreshold");
   checkFraction(parameters.delta, "Delta");
   require(parameters.epsilonChoice != EpsilonChoice::Manual ||

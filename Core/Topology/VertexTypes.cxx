@@ -104,7 +104,7 @@ CriticalCounts concludeTypes(
 
 } // namespace
 
-void checkVertexValues(Index vertexCount, const ValuesRef& values)
+void checkVertexValues(Index vertexCount, const ValuesRef& values, const VertexName& nameOf)
 {
   require(values.size() == vertexCount, "one value per vertex",
     std::to_string(values.size()) + " values for " + std::to_string(vertexCount) + " vertices",
@@ -114,9 +114,16 @@ void checkVertexValues(Index vertexCount, const ValuesRef& values)
     const double* bad = std::find_if_not(values.data(), values.data() + values.size(),
       [](double value) { return std::isfinite(value); });
     throw InvalidInput("finite values",
-      textOf(*bad) + " at vertex " + std::to_string(bad - values.data()),
+      textOf(*bad) + " at vertex " +
+        std::to_string(nameOfVertex(static_cast<Index>(bad - values.data()), nameOf)),
       "Fill in missing values or choose another array.");
   }
+}
+
+void checkValueRange(const ValuesRef& values)
+{
+  require(std::isfinite(values.maxCoeff() - values.minCoeff()), "values of finite range",
+    textOf(values.minCoeff()) + " to " + textOf(values.maxCoeff()), "Choose another unit.");
 }
 
 VertexTypes classifyVertices(

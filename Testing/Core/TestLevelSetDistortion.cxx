@@ -442,6 +442,17 @@ TEST(LevelSetDistortion, refusesBadInput)
   expectRefusal(height, Eigen::Vector2d(0.1, 0.1), None);
   expectRefusal(height, Eigen::Vector2d(0.1, std::nan("")), None);
   expectRefusal(height, isoValues, Eigen::Vector2d(0.2, 0.1));
+  Values hole = height;
+  hole[7] = std::nan("");
+  try
+  {
+    hausdorffDistortion(mesh.points, edgesOf(topology), hole, isoValues, None);
+    ADD_FAILURE() << "took NaN";
+  }
+  catch (const InvalidInput& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("nan at vertex 7"), std::string::npos);
+  }
   const Execution stopped{ 1, [](double) { return false; } };
   EXPECT_THROW(
     hausdorffDistortion(mesh.points, edgesOf(topology), height, isoValues, None, stopped), Aborted);
