@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,16 +55,24 @@ MergeTrees mirroredMergeTrees(
   return MergeTreesBuilder(mirrored.count(), neighborsOf, isBelow, execution).build();
 }
 
+/// Of a saddle that is not on the boundary and of its image, which may differ.
+enum class ImagePairs
+{
+  Without,       ///< the saddle's own
+  MostPersistent ///< of both, as many as its multiplicity: removeBelow() keeps what is persistent
+};
+
 /// Gives critical vertices of a mesh or volume their pairs and persistence.
 template <class Topology>
 class PairCollector
 {
 public:
-  PairCollector(const Topology& mesh, const ValuesRef& values, std::vector<CriticalPoint> points)
+  PairCollector(const Topology& mesh, const ValuesRef& values, std::vector<CriticalPoint> points,
+    ImagePairs imagePairs)
     : mesh_(mesh)
     , values_(values)
+    , imagePairs_(imagePairs)
     , result_{ std::move(points), {} }
-    , listed_(this->result_.points.size(), 0)
     , ended_(this->result_.points.size(), 0)
   {
     this->result_.pairs.reserve(this->result_.points.size() / 2);
@@ -75,34 +85,25 @@ public:
     const MirroredMesh<Topology> mirrored(this->mesh_);
     for (const Merge& merge : tree.merges)
     {
-      const Index extremum = mirrored.original(merge.younger);
-      const Index saddle = mirrored.original(merge.vertex);
-      const CriticalPair pair{ pointOfVertex[extremum], pointOfVertex[saddle],
-        std::abs(this->values_[saddle] - this->values_[extremum]) };
-      this->end(pair.extremum, pair.persistence);
-      this->end(pair.saddle, pair.persistence);
-      if (!mirrored.isImage(merge.vertex))
+      const Index extremum = pointOfVertex[mirrored.original(merge.younger)];
+      const Index saddle = pointOfVertex[mirrored.original(merge.vertex)];
+      this->end(extremum, this->difference(extremum, saddle));
+      this->end(saddle, this->difference(extremum, saddle));
+      if (this->imagePairs_ == ImagePairs::MostPersistent || !mirrored.isImage(merge.vertex))
       {
-        this->list(pair);
+        this->list(extremum, saddle);
       }
     }
   }
 
-  /// A pair of two saddles, which is one of each. What a saddle has beyond its multiplicity, as it
-  /// can where the volume is no manifold, is not among the pairs.
-  /// @param areImages of vertices that are not on the boundary
-  void add(std::size_t oneSaddle, std::size_t twoSaddle, bool areImages)
+  /// A pair of saddles, which is one of each.
+  void add(Index oneSaddle, Index twoSaddle)
   {
-    const std::vector<CriticalPoint>& points = this->result_.points;
-    const double persistence = std::abs(points[twoSaddle].value - points[oneSaddle].value);
     for (const auto& [other, saddle] :
       { std::pair(oneSaddle, twoSaddle), std::pair(twoSaddle, oneSaddle) })
     {
-      this->end(saddle, persistence);
-      if (!areImages || this->mesh_.isBoundary(static_cast<Index>(points[saddle].input)))
-      {
-        this->list({ other, saddle, persistence });
-      }
+      this->end(saddle, this->difference(other, saddle));
+      this->list(other, saddle);
     }
   }
 
@@ -110,41 +111,65 @@ public:
   MeshCriticalPoints conclude()
   {
     const double range = this->values_.maxCoeff() - this->values_.minCoeff();
+    std::vector<int> lasting;
     for (std::size_t i = 0; i < this->ended_.size(); ++i)
     {
       CriticalPoint& point = this->result_.points[i];
       const bool isSingle =
         this->mesh_.isClosed() || this->mesh_.isBoundary(static_cast<Index>(point.input));
-      if (this->ended_[i] < point.multiplicity * (isSingle ? 1 : 2))
+      lasting.push_back(std::max(0, point.multiplicity * (isSingle ? 1 : 2) - this->ended_[i]));
+      if (lasting[i] > 0)
       {
         point.persistence = range;
       }
+    }
+    if (this->imagePairs_ == ImagePairs::MostPersistent)
+    {
+      this->keepMostPersistent(std::move(lasting));
     }
     return std::move(this->result_);
   }
 
 private:
-  void end(std::size_t point, double pairPersistence)
+  double difference(Index a, Index b) const
+  {
+    return std::abs(this->result_.points[a].value - this->result_.points[b].value);
+  }
+
+  void end(Index point, double pairPersistence)
   {
     ++this->ended_[point];
     double& persistence = this->result_.points[point].persistence;
     persistence = std::max(persistence, pairPersistence);
   }
 
-  void list(const CriticalPair& pair)
+  void list(Index extremum, Index saddle)
   {
-    if (this->listed_[pair.saddle] < this->result_.points[pair.saddle].multiplicity)
-    {
-      ++this->listed_[pair.saddle];
-      this->result_.pairs.push_back(pair);
-    }
+    this->result_.pairs.push_back({ extremum, saddle, this->difference(extremum, saddle) });
+  }
+
+  /// @param counts of each point: of those before all pairs, that are never cancelled
+  void keepMostPersistent(std::vector<int> counts)
+  {
+    std::vector<CriticalPair>& pairs = this->result_.pairs;
+    std::sort(pairs.begin(), pairs.end(),
+      [](const CriticalPair& a, const CriticalPair& b)
+      {
+        return std::tie(a.saddle, b.persistence, a.extremum) <
+          std::tie(b.saddle, a.persistence, b.extremum);
+      });
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                  [&](const CriticalPair& pair) {
+                    return ++counts[pair.saddle] > this->result_.points[pair.saddle].multiplicity;
+                  }),
+      pairs.end());
   }
 
   const Topology& mesh_;
   const ValuesRef& values_;
+  ImagePairs imagePairs_;
   MeshCriticalPoints result_;
-  std::vector<int> listed_; ///< of how many pairs each point is the saddle
-  std::vector<int> ended_;  ///< in how many pairs each point is, with its image
+  std::vector<int> ended_; ///< in how many pairs each point is, with its image
 };
 
 } // namespace SurfaceScalars

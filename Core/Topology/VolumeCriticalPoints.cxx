@@ -239,7 +239,7 @@ MeshCriticalPoints volumeCriticalPoints(const PointsRef& vertices, const VolumeT
     ? MergeTreesBuilder(volume.vertexCount(), neighborsOf, isBelow, ofTrees).build()
     : mirroredMergeTrees(volume, values, ofTrees);
   CriticalVertices critical = criticalVertices(vertices, values, types);
-  PairCollector collector(volume, values, std::move(critical.points));
+  PairCollector collector(volume, values, std::move(critical.points), ImagePairs::MostPersistent);
   collector.add(trees.sublevel, critical.below);
   collector.add(trees.superlevel, critical.above);
   const VertexOrder order =
@@ -250,8 +250,7 @@ MeshCriticalPoints volumeCriticalPoints(const PointsRef& vertices, const VolumeT
     {
       if (types.twoSaddles[tunnel.twoSaddle] > 0) // not so where the volume is no manifold
       {
-        collector.add(
-          critical.below[tunnel.oneSaddle], critical.above[tunnel.twoSaddle], isRelative);
+        collector.add(critical.below[tunnel.oneSaddle], critical.above[tunnel.twoSaddle]);
       }
     }
   };
