@@ -125,6 +125,7 @@ void CenterSum::approximate(
   Values misses(places.cols());
   misses << centers.values.tail(free), further.values;
   misses -= this->at(places, execution.part(0.5, 0.5));
+  const double unit = this->highest_ > this->lowest_ ? this->highest_ - this->lowest_ : 1.0;
 
   // What a change of the values at the centers that are not of stars makes of the sum, and its
   // transpose. The first rows are the identity: the matrix has no small singular values.
@@ -145,8 +146,9 @@ void CenterSum::approximate(
     { return transposed(changed(changes, polling), polling); },
     [](const Values& residual, const Execution&) { return residual; } };
   Values values = centers.values;
-  values.tail(free) += normalEquations.solve(transposed(misses, execution.part(0.5, 0.5)),
-    LeastSquaresGoal, execution.part(0.5, 1.0), this->highest_ - this->lowest_);
+  values.tail(free) += unit *
+    normalEquations.solve(transposed(misses / unit, execution.part(0.5, 0.5)), LeastSquaresGoal,
+      execution.part(0.5, 1.0), 1.0);
   this->takeValues(values, execution.part(1.0, 1.0));
 }
 

@@ -45,6 +45,13 @@ struct MissedPlaces
   double largest = 0.0; ///< miss
 };
 
+std::vector<Index> allOf(const Points& vertices)
+{
+  std::vector<Index> result(static_cast<std::size_t>(vertices.cols()));
+  std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
 class GreedySelection
 {
 public:
@@ -69,7 +76,7 @@ public:
   }
 
 private:
-  Execution part(const Execution& execution, std::size_t more) const;
+  Execution part(const Execution& execution, std::size_t more);
   double spacing() const;
   double growth() const;
   MissedPlaces mostMissed(const std::vector<Index>& places, std::size_t most, CenterSum& sum,
@@ -85,16 +92,23 @@ private:
   int dimension_;
   std::size_t coverCount_ = 0;
   double coverRadius_ = 0.0;
+  double done_ = 0.0; ///< share of the work of all rounds
 };
 
 void GreedySelection::cover(const Execution& execution)
 {
   const auto rest = static_cast<double>(this->count_ - this->starCount_);
   const auto most = static_cast<std::size_t>(std::ceil(CoverShare * rest));
-  const std::vector<Index> candidates =
+  std::vector<Index> candidates =
     evenSubset(this->vertices_, PlacesPerCover * most, execution.part(0.0, 0.2));
-  const FarthestPoints cover = farthestPoints(this->vertices_(Eigen::all, candidates),
-    this->vertices_(Eigen::all, this->chosen_), most, execution.part(0.2, 1.0));
+  const Points stars = this->vertices_(Eigen::all, this->chosen_);
+  FarthestPoints cover =
+    farthestPoints(this->vertices_(Eigen::all, candidates), stars, most, execution.part(0.2, 0.9));
+  if (!(cover.radius > 0.0)) // of few candidates all may be in stars
+  {
+    candidates = allOf(this->vertices_);
+    cover = farthestPoints(this->vertices_, stars, most, execution.part(0.9, 1.0));
+  }
   for (const Index candidate : cover.chosen)
   {
     this->chosen_.push_back(candidates[candidate]);
@@ -104,11 +118,12 @@ void GreedySelection::cover(const Execution& execution)
 }
 
 /// Of the work, which grows with the cube of the centers, a round that adds as many.
-Execution GreedySelection::part(const Execution& execution, std::size_t more) const
+Execution GreedySelection::part(const Execution& execution, std::size_t more)
 {
-  const auto done = [&](std::size_t size)
-  { return std::pow(static_cast<double>(size) / static_cast<double>(this->count_), 3.0); };
-  return execution.part(done(this->chosen_.size()), done(this->chosen_.size() + more));
+  const auto size = static_cast<double>(this->chosen_.size() + more);
+  const double begin = this->done_; // a round may have found fewer than it was to
+  this->done_ = std::max(begin, std::pow(size / static_cast<double>(this->count_), 3.0));
+  return execution.part(begin, this->done_);
 }
 
 /// Between centers that are not of stars: what the radius of the cover becomes as they grow in
@@ -236,8 +251,7 @@ void GreedySelection::exchange(CenterSum& sum, const Execution& execution)
   {
     return;
   }
-  std::vector<Index> places(static_cast<std::size_t>(this->values_.size()));
-  std::iota(places.begin(), places.end(), Index(0));
+  std::vector<Index> places = allOf(this->vertices_);
   std::vector<Index> best;
   double smallest = std::numeric_limits<double>::infinity();
   for (double round = 0.0; round <= rounds; round += 1.0)

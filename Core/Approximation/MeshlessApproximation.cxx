@@ -175,7 +175,7 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
     stars, count, parameters, execution.part(0.1, 0.8));
   result.model = sum.model();
   result.condition = sum.condition();
-  result.values = sum.at(domain.vertices, execution.part(0.8, 0.95));
+  result.values = sum.at(domain.vertices, execution.part(0.8, result.isConstant ? 1.0 : 0.95));
   const Values misses = (result.values - values).cwiseAbs();
   result.largestError = misses.maxCoeff();
   result.meanError = misses.mean();

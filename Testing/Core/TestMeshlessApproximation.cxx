@@ -156,15 +156,37 @@ TEST(MeshlessApproximation, reproducesLinearFunctions)
   EXPECT_LT(result.model.centers.cols(), result.askedCount / 2);
 }
 
-// With every vertex a center, u is f.
+// With every vertex a center, u is f, also where nearly all are in stars.
 TEST(MeshlessApproximation, interpolatesEverything)
 {
-  const TriangleMesh mesh = octahedralSphere(8);
-  Values values = waves(mesh.points, 4.0);
-  addNoise(values, 0.1, 1); // symmetric ones are met at some vertices before these are centers
-  const MeshlessApproximation result = approximated(mesh, values, withFraction(1.0));
-  EXPECT_EQ(result.model.centers.cols(), mesh.points.cols());
-  EXPECT_LE(result.largestError, 1e-12 * rangeOf(values));
+  for (const int size : { 3, 8 })
+  {
+    const TriangleMesh mesh = octahedralSphere(size);
+    Values values = waves(mesh.points, 4.0);
+    addNoise(values, 0.1, 1); // symmetric ones are met at some vertices before these are centers
+    const MeshlessApproximation result = approximated(mesh, values, withFraction(1.0));
+    EXPECT_EQ(result.model.centers.cols(), mesh.points.cols());
+    EXPECT_LE(result.largestError, 1e-12 * rangeOf(values));
+  }
+}
+
+// In other units of f the error is the same fraction of its range.
+TEST(MeshlessApproximation, doesNotDependOnTheUnitOfValues)
+{
+  const TriangleMesh mesh = octahedralSphere(12);
+  const Values values = waves(mesh.points, 4.0);
+  for (const LevelSetConstraints constraints : { LevelSetConstraints::Interpolating,
+         LevelSetConstraints::LeastSquares, LevelSetConstraints::Minimax })
+  {
+    ApproximationParameters parameters = withFraction(0.1, 0.1);
+    parameters.levelSetConstraints = constraints;
+    const double error = approximated(mesh, values, parameters).largestError;
+    for (const double unit : { 1e-250, 1e-160, 1e160, 1e250 })
+    {
+      const double other = approximated(mesh, unit * values, parameters).largestError;
+      EXPECT_NEAR(other / unit, error, 0.01 * error) << unit;
+    }
+  }
 }
 
 // The more centers the smaller the error, which is below half of that of as many farthest points

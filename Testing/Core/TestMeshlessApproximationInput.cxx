@@ -253,7 +253,8 @@ TEST(MeshlessApproximationInput, remarks)
     ElementsAre(AllOf(HasSubstr("1501 of 6000 centers"), HasSubstr("PersistenceThreshold"))));
 }
 
-// Progress never falls and ends at 1; wherever an abort comes, it is heard.
+// Progress never falls and ends at 1, also where rounds find nothing to add; wherever an abort
+// comes, it is heard.
 TEST(MeshlessApproximationInput, reportsAndAborts)
 {
   const TriangleMesh mesh = octahedralSphere(16);
@@ -267,16 +268,20 @@ TEST(MeshlessApproximationInput, reportsAndAborts)
       ? CenterSelection::LevelSets
       : CenterSelection::Greedy;
     parameters.levelSetConstraints = constraints;
-    std::vector<double> told;
-    approximated(mesh, values, parameters,
-      { 2,
-        [&](double fraction)
-        {
-          told.push_back(fraction);
-          return true;
-        } });
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_EQ(told.back(), 1.0);
+    for (const Values& f :
+      { values, Values(mesh.points.row(0)), Values(Values::Constant(values.size(), 7.5)) })
+    {
+      std::vector<double> told;
+      approximated(mesh, f, parameters,
+        { 2,
+          [&](double fraction)
+          {
+            told.push_back(fraction);
+            return true;
+          } });
+      EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+      EXPECT_EQ(told.back(), 1.0);
+    }
     for (const double limit : { 0.0, 0.3, 0.6, 0.9 })
     {
       const Execution execution{ 2, [=](double fraction) { return fraction < limit; } };
