@@ -77,15 +77,18 @@ struct MeshlessApproximation
  *
  * LeastSquares: (4) of the paper is square, so that nothing there is least squares. Here the stars
  * are interpolated, and the values at the k other centers are those with which u comes nearest to f
- * at 4 k places, centers among them: a well-conditioned system whatever the places.
+ * at 4 k places, centers among them: a well-conditioned system whatever the places. Minimax: those
+ * with which the largest error over all vertices is least, but for a few percent.
  *
  * There are at most MostDenseCenters: `askedCount` says how many were asked for. With k >= 4
- * starCount the largest error of Greedy is below half that of farthest-point centers and a quarter
- * of that of LevelSets, where the former is within 1% of f's range and within half of that of half
- * as many: no choice makes up for details that fit between the centers
+ * starCount the largest error of Greedy with Minimax is below half that of interpolation at as many
+ * farthest points, and below a quarter of that of LevelSets unless the former is above 3% of f's
+ * range: no choice makes up for details that fit between the centers
  * (Documentation/approximation-accuracy.md).
  *
- * Time O(k^3 + n k), memory O(k^2 + n). Results do not depend on the number of threads.
+ * Time O(k^3 + n k), memory O(k^2 + n); Minimax takes up to 20 times the memory, two gigabytes at
+ * most, and from a thousand centers on several times as long. Results do not depend on the number
+ * of threads.
  *
  * @param values one per vertex, finite
  * @throws InvalidInput for unusable values and parameters, more stars than MostDenseCenters, and a

@@ -11,9 +11,11 @@ namespace
 {
 
 constexpr int Steps = 40;
-constexpr double Relaxation = 1.6; // 1.5 to 1.8 are usual
-constexpr double PeakShare = 0.15; // of the errors in sum
-constexpr double Ridge = 1e-13;    // of the normal matrix, per unknown
+constexpr int MostIdle = 15;        // steps
+constexpr double WorthAStep = 1e-3; // of the largest error
+constexpr double Relaxation = 1.6;  // 1.5 to 1.8 are usual
+constexpr double PeakShare = 0.15;  // of the errors in sum
+constexpr double Ridge = 1e-13;     // of the normal matrix, per unknown
 constexpr Eigen::Index RowsPerBlock = 64;
 constexpr Eigen::Index EquationsPerBlock = 1024;
 
@@ -125,15 +127,35 @@ Values MinimaxSystem::closestTo(const Values& wanted, const Execution& execution
 
 Values MinimaxSystem::solve(const Execution& execution)
 {
-  Values best = this->closestTo(this->right_, execution.part(0.0, 0.0));
-  Values errors = this->right_ - this->product(best, execution.part(0.0, 0.0));
+  const Execution atFirst = execution.part(0.0, 0.0);
+  const Values closest = this->closestTo(this->right_, atFirst);
+  const Values errors = this->right_ - this->product(closest, atFirst);
   double least = errors.lpNorm<Eigen::Infinity>();
+  const auto keepIfBetter = [&](const Values& unknowns, double largest)
+  {
+    if (largest < least)
+    {
+      least = largest;
+      this->best_ = unknowns;
+    }
+  };
+  if (this->best_.size() == 0)
+  {
+    this->best_ = closest;
+  }
+  else
+  {
+    const Values before = this->best_;
+    this->best_ = closest;
+    keepIfBetter(before, (this->right_ - this->product(before, atFirst)).lpNorm<Eigen::Infinity>());
+  }
   const double peaks = PeakShare * errors.lpNorm<1>();
   const Eigen::Index more = errors.size() - this->cut_.size();
   this->errors_ = withMore(this->errors_, errors.tail(more));
   this->cut_ = withMore(this->cut_, errors.tail(more));
   this->multipliers_ = withMore(this->multipliers_, Values::Zero(more));
-  for (int step = 0; step < Steps; ++step)
+  int idle = 0;
+  for (int step = 0; step < Steps && idle < MostIdle; ++step)
   {
     const Execution ofStep =
       execution.part(static_cast<double>(step) / Steps, static_cast<double>(step + 1) / Steps);
@@ -145,13 +167,10 @@ Values MinimaxSystem::solve(const Execution& execution)
       this->closestTo(this->right_ - this->cut_ - this->multipliers_, ofStep.part(0.0, 0.5));
     this->errors_ = this->right_ - this->product(unknowns, ofStep.part(0.5, 1.0));
     const double largest = this->errors_.lpNorm<Eigen::Infinity>();
-    if (largest < least)
-    {
-      least = largest;
-      best = unknowns;
-    }
+    idle = largest < (1.0 - WorthAStep) * least ? 0 : idle + 1;
+    keepIfBetter(unknowns, largest);
   }
-  return best;
+  return this->best_;
 }
 
 } // namespace SurfaceScalars

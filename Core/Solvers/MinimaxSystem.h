@@ -39,6 +39,7 @@ private:
   Values right_;
   Eigen::MatrixXd normal_; ///< B^T B, its lower triangle
   BlockCholesky factors_;
+  Values best_;   ///< unknowns
   Values errors_; ///< of the last step
   Values cut_;    ///< these without their peaks
   Values multipliers_;

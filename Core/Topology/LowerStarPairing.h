@@ -91,7 +91,6 @@ private:
   void meet(Index simplex);
   void meetWithFace(Index simplex);
   void meetAlone(Index simplex);
-  void takeTurn(Index edge, const Simplex& triangle);
   void attach(const Simplex& triangle, const Simplex& tetrahedron);
 
   const VolumeTopology& volume_;

@@ -66,7 +66,7 @@ SURFACESCALARSCORE_EXPORT PersistencePairs persistencePairs(
 struct MeshCriticalPoints
 {
   std::vector<CriticalPoint> points; ///< by vertex; `input` is the vertex
-  std::vector<CriticalPair> pairs;   ///< all extremum-saddle pairs, indices into points
+  std::vector<CriticalPair> pairs; ///< all, indices into points; of volumes, of two saddles as well
 };
 
 /**

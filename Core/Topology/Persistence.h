@@ -41,9 +41,9 @@ SURFACESCALARSCORE_EXPORT PersistencePairs persistencePairs(
 /// Two critical points that cancel each other: indices into their list.
 struct CriticalPair
 {
-  std::size_t extremum;
-  std::size_t saddle; ///< takes part in as many pairs as its multiplicity, at most
-  double persistence; ///< |f(saddle) - f(extremum)|
+  std::size_t extremum; ///< in volumes also a saddle, of the other kind
+  std::size_t saddle;   ///< takes part in as many pairs as its multiplicity, at most
+  double persistence;   ///< the difference of their values
 };
 
 /**
