@@ -1,7 +1,8 @@
 """Makes the surface of a molecule from a coarse grid of its density, and finds where its electric potential peaks.
 
 usage: pvpython molecular_surface.py PLUGIN MOLECULE.pqr PICTURE.png [--spacing ANGSTROM] [--refine N] [--logarithm]
-                                     [--neighbors N] [--persistence FRACTION] [--centers FRACTION] [--zoom FACTOR]
+                                     [--neighbors N] [--screening ANGSTROM] [--persistence FRACTION] [--centers FRACTION]
+                                     [--zoom FACTOR]
 
 PLUGIN is SurfaceScalars.so; MOLECULE.pqr lists atoms with charges and radii (Utilities/fetch-data.sh fetches fas2.pqr and
 achbp.pqr). The density is a sum over the atoms, exp(2.35 (1 - (distance / radius)^2)), and the surface is where it is 1: an
@@ -22,7 +23,7 @@ import time
 import numpy
 import vtk
 from paraview.simple import *
-from scipy import ndimage
+from scipy import ndimage, spatial
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -33,9 +34,10 @@ parser.add_argument("--spacing", type=float, default=0.5, help="of the coarse gr
 parser.add_argument("--refine", type=int, default=2)
 parser.add_argument("--logarithm", action="store_true")
 parser.add_argument("--neighbors", type=int, default=128, help="of a fine node on the coarse grid: fewer are faster")
+parser.add_argument("--screening", type=float, default=numpy.inf, help="length over which salt in the water screens a charge")
 parser.add_argument("--persistence", type=float, default=0.05)
 parser.add_argument("--centers", type=float, default=0.04)
-parser.add_argument("--zoom", type=float, default=1.1)
+parser.add_argument("--zoom", type=float, default=1.2)
 options = parser.parse_args()
 LoadPlugin(options.plugin, remote=False, ns=globals())  # from now on its filters are functions
 
@@ -152,7 +154,8 @@ for label, surface in [("density on the fine grid", truth), ("linear from the co
 def potential(places):
     total = numpy.zeros(len(places))
     for part in numpy.array_split(numpy.arange(len(places)), 1 + len(places) * len(atoms) // 10 ** 7):
-        total[part] = COULOMB * (charges / numpy.linalg.norm(places[part, None] - atoms[None], axis=2)).sum(axis=1)
+        distances = spatial.distance.cdist(places[part], atoms)
+        total[part] = COULOMB * (charges / distances * numpy.exp(-distances / options.screening)).sum(axis=1)
     return total
 
 
@@ -179,7 +182,8 @@ morse = MorseComplex(Input=OutputPort(approximation, 0), ScalarArray=["POINTS", 
                      PersistenceThreshold=options.persistence)
 
 # The picture.
-middle, size = atoms.mean(axis=0), numpy.linalg.norm(numpy.ptp(atoms, axis=0))
+reaches = radii[:, None]
+middle, size = atoms.mean(axis=0), numpy.linalg.norm((atoms + reaches).max(axis=0) - (atoms - reaches).min(axis=0))
 axes = numpy.linalg.eigh(numpy.cov(atoms.T))[1]  # the molecule's longest extent points up, the shortest to the viewer
 towards, up = axes[:, 0], axes[:, 2]
 
@@ -200,7 +204,7 @@ def make_view():
 def mark(source, view, color, lift):
     """Shows something in one color, a little nearer than the surface; a parallel projection does not show the difference."""
     shown = Show(source, view)
-    ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.Position = lift * size * towards
     shown.AmbientColor = shown.DiffuseColor = color
     shown.Ambient = 0.3
@@ -227,6 +231,14 @@ for view in views[1:]:
     colors = GetColorTransferFunction("Potential")
     colors.ApplyPreset("Cool to Warm", True)
     colors.RescaleTransferFunction(-extent, extent)
+bar = GetScalarBar(colors, views[2])
+bar.Title, bar.ComponentTitle = "potential, V", ""
+bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", [0.3, 0.01]
+bar.ScalarBarLength, bar.ScalarBarThickness = 0.4, 12
+bar.TitleFontSize = bar.LabelFontSize = 16
+bar.TitleColor = bar.LabelColor = [0, 0, 0]
+bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2g", "%.2g"
+shown.SetScalarBarVisibility(views[2], True)
 levels = Contour(Input=function, ContourBy=["POINTS", "Potential"], Isosurfaces=list(numpy.linspace(-extent, extent, 25)))
 mark(Tube(Input=levels, Radius=0.0007 * size), views[1], [0.2, 0.2, 0.2], 0.001)
 for kind, color in [(0, [0.1, 0.3, 0.8]), (1, [0.8, 0.2, 0.1])]:
