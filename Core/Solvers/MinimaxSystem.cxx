@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int Steps = 40;
-constexpr int MostIdle = 15;        // steps
+constexpr int MostIdle = 25;        // steps
 constexpr double WorthAStep = 1e-3; // of the largest error
 constexpr double Relaxation = 1.6;  // 1.5 to 1.8 are usual
 constexpr double PeakShare = 0.15;  // of the errors in sum
