@@ -176,7 +176,7 @@ void LowerStarPairing::findFaces()
       if (found != place && *found == face)
       {
         const auto index = static_cast<Index>(found - this->simplices_.begin());
-        const auto incidence = static_cast<Index>(3 * simplex + i);
+        const Index incidence = 3 * simplex + static_cast<Index>(i);
         this->incidences_[incidence] = { index, this->firstIncidences_[index] };
         this->firstIncidences_[index] = incidence;
         ++this->left_[simplex];
