@@ -46,6 +46,22 @@ std::ptrdiff_t countAt(const LevelSets& sets, const Vector3d& place, double prec
   return count;
 }
 
+/// A curve through a place has two branches there, one that ends has one.
+int branchesAt(const LevelSets& sets, const Vector3d& place)
+{
+  int branches = 0;
+  for (const LevelSetCurve& curve : sets.curves)
+  {
+    for (const LevelSetPoint& point : curve.points)
+    {
+      const bool isEnd =
+        !curve.closed && (&point == &curve.points.front() || &point == &curve.points.back());
+      branches += (point.position - place).norm() < 1e-9 ? (isEnd ? 1 : 2) : 0;
+    }
+  }
+  return branches;
+}
+
 // Two equal peaks: the level of the saddle between them is a figure eight, two loops that meet at
 // the saddle, wherever in a triangle, on an edge or at a vertex it lies; also if the level is off
 // by less than 1e-6 of the range. Beyond, it is two loops apart or one around both.
@@ -147,14 +163,14 @@ TEST(MeshlessContourSaddles, giveLoopsAtVerticesOfATorus)
 }
 
 /// Gaussians of random heights at random places.
-Field randomGaussians(unsigned seed)
+Field randomGaussians(unsigned seed, double width = 0.45)
 {
   Random random(seed);
   Points centers = randomPlaces(25, 1.0, seed);
   centers.row(2) *= 0.2;
   Values heights(25);
   std::generate(heights.begin(), heights.end(), [&] { return random.uniform(-1.0, 1.0); });
-  return gaussians(centers, heights, 0.45);
+  return gaussians(centers, heights, width);
 }
 
 /// Critical points of a field in the plane z = 0, by Newton's method from random places, that are
@@ -200,17 +216,7 @@ TEST(MeshlessContourSaddles, areFoundOnAPlane)
     for (const Vector3d& saddle : saddlesInPlane(field, seed))
     {
       const LevelSets sets = contoursOf(field, mesh, { valueAt(field, saddle) + 5e-7 }).sets;
-      int branches = 0;
-      for (const LevelSetCurve& curve : sets.curves)
-      {
-        for (const LevelSetPoint& point : curve.points)
-        {
-          const bool isEnd =
-            !curve.closed && (&point == &curve.points.front() || &point == &curve.points.back());
-          branches += (point.position - saddle).norm() < 1e-9 ? (isEnd ? 1 : 2) : 0;
-        }
-      }
-      EXPECT_EQ(branches, 4) << "seed " << seed << " at " << saddle.transpose();
+      EXPECT_EQ(branchesAt(sets, saddle), 4) << "seed " << seed << " at " << saddle.transpose();
       ++count;
     }
   }
@@ -231,6 +237,47 @@ TEST(MeshlessContourSaddles, areFoundOnEdges)
   const LevelSets sets = contoursOf(field, roof, { level }).sets;
   ASSERT_EQ(sets.curves.size(), 4u);
   EXPECT_EQ(countAt(sets, place), 4);
+}
+
+// Four branches meet where a random function is least along a ridge and falls to both sides, or the
+// other way round, however much faster it changes across than along.
+TEST(MeshlessContourSaddles, areFoundAlongARidge)
+{
+  Mesh roof{ Points(3, 4), Triangles(3, 2) };
+  roof.vertices << 0, 0, 1, -1, -1, 1, 0.1, 0.1, 0, 0, -1.2, -1;
+  roof.triangles << 0, 1, 1, 0, 2, 3;
+  int count = 0;
+  for (unsigned seed = 1; seed <= 120; ++seed)
+  {
+    const Field field = randomGaussians(seed, 0.9);
+    const auto approximation = field.approximation();
+    const Vector3d origin = field.cloud().origin();
+    const auto slope = [&](double y) -> Vector3d
+    { return approximation->jet(Vector3d(0.0, y, 0.0) - origin, Derivatives::Gradient).gradient; };
+    for (double y = -0.95; y < 0.95; y += 0.05)
+    {
+      double low = y;
+      double high = y + 0.05;
+      const bool isLeast = slope(low).y() < 0.0;
+      for (int i = 0; i < 60; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        ((slope(middle).y() < 0.0) == isLeast ? low : high) = middle;
+      }
+      const Vector3d gradient = slope(low);
+      const double left = gradient.dot(Vector3d(-1.0, 0.0, -1.0));
+      const double right = gradient.dot(Vector3d(1.0, 0.0, -1.2));
+      if (std::abs(gradient.y()) < 1e-12 && (left < -0.01) == isLeast &&
+        (right < -0.01) == isLeast && (left > 0.01) != isLeast && (right > 0.01) != isLeast)
+      {
+        const Vector3d place(0.0, low, 0.0);
+        const LevelSets sets = contoursOf(field, roof, { valueAt(field, place) }).sets;
+        EXPECT_EQ(branchesAt(sets, place), 4) << "seed " << seed << " at " << low;
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 10);
 }
 
 // Neither a peak, a pit, a ridge nor a vertex that merely has the level's value is taken for one.
