@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -223,6 +224,13 @@ void GlobalSystem::checkResidual(
   const double miss = residual.lpNorm<Eigen::Infinity>();
   if (!(miss <= LargestResidual * range + 1e-14 * values.lpNorm<Eigen::Infinity>()))
   {
+    constexpr double smallest = std::numeric_limits<double>::min();
+    if (range < smallest)
+    {
+      throw InvalidInput("values that differ by " + textOf(smallest) +
+          " at least, as smaller numbers have few digits",
+        textOf(range), "Multiply them by a power of ten.");
+    }
     this->refuse(
       "an interpolant that misses its samples by " + textOf(miss / range) + " of f's range");
   }

@@ -129,6 +129,22 @@ TEST(FieldInput, singularWidths)
   }
 }
 
+// Values so small that they have few digits are refused for that, not for the kernel; those that
+// are small only are not.
+TEST(FieldInput, valuesWithFewDigits)
+{
+  FieldInput input{ Truth::randomPlaces(60, 1.0, 3), Values(60) };
+  const Values waves = (3.0 * input.points.row(0)).array().sin();
+  for (const KernelType kernel : { KernelType::Gaussian, KernelType::Cubic, KernelType::Wendland })
+  {
+    input.values = 1e-305 * waves;
+    EXPECT_EQ(refusal(input, parametersOf(Scheme::GlobalRBF, kernel)), "accepted");
+    input.values = 1e-318 * waves;
+    const std::string sentence = refusal(input, parametersOf(Scheme::GlobalRBF, kernel));
+    EXPECT_TRUE(contains(sentence, "Multiply them by a power of ten")) << sentence;
+  }
+}
+
 // Samples that nearly coincide make systems of powers singular: no width helps, and none is
 // advised.
 TEST(FieldInput, nearlyCoincidentSamples)
