@@ -1,68 +1,33 @@
+#include "DisjointSets.h"
 #include "Laplacian.h"
 
-#include <numeric>
-#include <utility>
+#include <algorithm>
 
 namespace SurfaceScalars
 {
-namespace
-{
-
-/// Disjoint sets, each represented by its first member.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(int count)
-    : parents_(static_cast<std::size_t>(count))
-  {
-    std::iota(this->parents_.begin(), this->parents_.end(), 0);
-  }
-
-  int first(int member)
-  {
-    while (this->parent(member) != member)
-    {
-      this->parent(member) = this->parent(this->parent(member));
-      member = this->parent(member);
-    }
-    return member;
-  }
-
-  void unite(int one, int other)
-  {
-    const auto [first, second] = std::minmax({ this->first(one), this->first(other) });
-    this->parent(second) = first;
-  }
-
-private:
-  int& parent(int member) { return this->parents_[static_cast<std::size_t>(member)]; }
-
-  std::vector<int> parents_;
-};
-
-} // namespace
 
 std::vector<int> connectedComponents(const Eigen::SparseMatrix<double>& matrix)
 {
-  const auto count = static_cast<int>(matrix.cols());
-  DisjointSets sets(count);
-  for (int j = 0; j < count; ++j)
+  const auto count = static_cast<Index>(matrix.cols());
+  DisjointSets sets(count); // the first member of each is its root
+  for (Index j = 0; j < count; ++j)
   {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, j); entry; ++entry)
     {
-      if (entry.value() != 0.0)
+      const auto [first, second] =
+        std::minmax({ sets.find(static_cast<Index>(entry.row())), sets.find(j) });
+      if (entry.value() != 0.0 && first != second)
       {
-        sets.unite(static_cast<int>(entry.row()), j);
+        sets.attach(second, first);
       }
     }
   }
   std::vector<int> result;
-  result.reserve(static_cast<std::size_t>(count));
+  result.reserve(count);
   int components = 0;
-  for (int i = 0; i < count; ++i)
+  for (Index i = 0; i < count; ++i)
   {
-    const int first = sets.first(i);
-    result.push_back(first == i ? components++ : result[static_cast<std::size_t>(first)]);
+    result.push_back(sets.isRoot(i) ? components++ : result[sets.find(i)]);
   }
   return result;
 }

@@ -20,7 +20,7 @@ struct Arrival
 {
   SurfaceSearch search;
   int steps = 0; ///< of this search and those in vain before it
-  SearchStage stage;
+  SearchStage stage = SearchStage::Certain;
 };
 
 /// Where the searches from one candidate lead: to points of its type.

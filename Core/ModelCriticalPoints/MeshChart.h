@@ -26,7 +26,8 @@ class SURFACESCALARSCORE_EXPORT MeshChart
 {
 public:
   static constexpr int LowestDegree = 2;
-  static constexpr std::size_t MostFits = 2 * (LocalFit::MaximumDegree - LowestDegree + 1);
+  static constexpr std::size_t MostFits =
+    2 * std::size_t(LocalFit::MaximumDegree - LowestDegree + 1);
 
   /// @param vertices of the mesh; these must outlive this
   /// @param values of the function at the vertices
