@@ -59,7 +59,7 @@ public:
 private:
   bool goesOn() const
   {
-    return this->arrivals_.found.size() < this->wanted_ && this->arrivals_.steps < MostSteps;
+    return this->arrivals_.found.size() < this->wanted_ && this->arrivals_.steps < MostSearchSteps;
   }
 
   std::vector<Vector3d> predictions()
@@ -103,7 +103,7 @@ private:
 
   void searchFrom(const Vector3d& place)
   {
-    const SearchEffort effort{ MostSteps - this->arrivals_.steps };
+    const SearchEffort effort{ MostSearchSteps - this->arrivals_.steps };
     const SurfaceSearch search = this->newton_.search(place, this->type_, effort, this->poll_);
     ++this->arrivals_.searches;
     this->arrivals_.steps += search.stepCount();

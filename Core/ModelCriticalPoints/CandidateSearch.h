@@ -32,7 +32,7 @@ struct Arrivals
   double residual = 0.0;      ///< at the candidate itself
 };
 
-constexpr int MostSteps = 10; ///< for a point
+constexpr int MostSearchSteps = 10; ///< for a point
 
 /// How far points may lie that are the same, length: a fraction of the spacing of the mesh.
 double reachOf(const SurfaceSearch& search);

@@ -131,12 +131,12 @@ private:
   RefinementEnd endOf(std::size_t candidate) const
   {
     const Arrivals& arrivals = this->arrivals_[candidate];
-    return !this->isInside(candidate) ? RefinementEnd::OnBoundary
-      : arrivals.residual < 0.0       ? RefinementEnd::NoDerivative
-      : arrivals.searches == 0        ? RefinementEnd::NotPredicted
-      : !arrivals.found.empty()       ? RefinementEnd::Taken
-      : arrivals.steps >= MostSteps   ? RefinementEnd::OutOfSteps
-                                      : RefinementEnd::NotFound;
+    return !this->isInside(candidate)     ? RefinementEnd::OnBoundary
+      : arrivals.residual < 0.0           ? RefinementEnd::NoDerivative
+      : arrivals.searches == 0            ? RefinementEnd::NotPredicted
+      : !arrivals.found.empty()           ? RefinementEnd::Taken
+      : arrivals.steps >= MostSearchSteps ? RefinementEnd::OutOfSteps
+                                          : RefinementEnd::NotFound;
   }
 
   /// Whether a critical vertex of the boundary, which remains, is next to where a search ends.
