@@ -1,6 +1,7 @@
 #include "GreedyCenters.h"
 
 #include "FarthestPoints.h"
+#include "LargestMisses.h"
 #include "MortonOrder.h"
 #include "SpreadCandidates.h"
 
@@ -144,20 +145,8 @@ MissedPlaces GreedySelection::mostMissed(const std::vector<Index>& places, std::
     (sum.at(this->vertices_(Eigen::all, places), execution.part(0.5, 1.0)) - this->values_(places))
       .cwiseAbs();
   const double rounding = Rounding * this->values_.lpNorm<Eigen::Infinity>();
-  MissedPlaces result{ {}, misses.maxCoeff() };
+  MissedPlaces result{ largestMisses(misses, rounding, most), misses.maxCoeff() };
   std::vector<Index>& order = result.vertices;
-  for (Index i = 0; i < places.size(); ++i)
-  {
-    if (misses[i] > rounding)
-    {
-      order.push_back(i);
-    }
-  }
-  const auto missesMore = [&](Index a, Index b)
-  { return misses[a] != misses[b] ? misses[a] > misses[b] : a < b; };
-  const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(most, order.size()));
-  std::partial_sort(order.begin(), end, order.end(), missesMore);
-  order.erase(end, order.end());
   std::transform(order.begin(), order.end(), order.begin(), [&](Index i) { return places[i]; });
   return result;
 }

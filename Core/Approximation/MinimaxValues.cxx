@@ -1,6 +1,7 @@
 #include "MinimaxValues.h"
 
 #include "FarthestPoints.h"
+#include "LargestMisses.h"
 #include "MinimaxSystem.h"
 
 #include <algorithm>
@@ -15,23 +16,6 @@ constexpr double MostDependences = 2.5e8; // of misses on values: two gigabytes
 constexpr double FirstShare = 0.8;        // of these at most
 constexpr int Rounds = 10;
 constexpr double EnoughOfAll = 1.02; // largest miss at all vertices, in that at the places
-
-/// What is missed by more than this, most first, at most so many.
-std::vector<Index> missedMore(const Values& misses, double than, Eigen::Index most)
-{
-  std::vector<Index> result;
-  for (Index i = 0; i < static_cast<Index>(misses.size()); ++i)
-  {
-    if (misses[i] > than)
-    {
-      result.push_back(i);
-    }
-  }
-  std::sort(result.begin(), result.end(),
-    [&](Index a, Index b) { return misses[a] != misses[b] ? misses[a] > misses[b] : a < b; });
-  result.resize(std::min(result.size(), static_cast<std::size_t>(most)));
-  return result;
-}
 
 /// Of places at which all values at so many centers count.
 Eigen::Index mostPlaces(Eigen::Index centerCount)
@@ -82,14 +66,16 @@ void minimizeLargestMiss(CenterSum& sum, const CenterSet& centers, const Points&
     tried.tail(free) += changes.solve(ofRound.part(0.6, 0.9));
     sum.takeValues(tried, ofRound.part(0.9, 0.9));
     const Values left = (values - sum.at(vertices, ofRound.part(0.9, 1.0))).cwiseAbs();
-    if (left.maxCoeff() < least)
+    const double largest = left.maxCoeff();
+    if (largest < least)
     {
-      least = left.maxCoeff();
+      least = largest;
       best = tried;
     }
     const auto placeCount = free + static_cast<Eigen::Index>(places.size());
-    more = missedMore(left, EnoughOfAll * left(places).maxCoeff(),
-      std::clamp<Eigen::Index>(mostPlaces(free) - placeCount, 0, free));
+    const auto most = std::clamp<Eigen::Index>(mostPlaces(free) - placeCount, 0, free);
+    more =
+      largestMisses(left, EnoughOfAll * left(places).maxCoeff(), static_cast<std::size_t>(most));
   }
   sum.takeValues(best, execution.part(1.0, 1.0));
 }

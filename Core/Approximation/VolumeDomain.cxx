@@ -4,6 +4,7 @@
 
 namespace SurfaceScalars
 {
+
 ApproximationDomain volumeDomain(const Points& vertices, const VolumeTopology& volume)
 {
   return { vertices, volume.tetrahedra(),

@@ -82,12 +82,12 @@ void MinimaxSystem::add(Eigen::MatrixXd transposed, const Values& right, const E
   this->right_ = withMore(this->right_, right);
 }
 
-/// B x
-Values MinimaxSystem::product(const Values& unknowns, const Execution& execution) const
+/// b - B x
+Values MinimaxSystem::errorsOf(const Values& unknowns, const Execution& execution) const
 {
-  Values result(this->right_.size());
+  Values products(this->right_.size());
   const auto share = [&](Eigen::Index equations)
-  { return static_cast<double>(equations) / static_cast<double>(result.size()); };
+  { return static_cast<double>(equations) / static_cast<double>(products.size()); };
   Eigen::Index done = 0;
   for (const Eigen::MatrixXd& equations : this->transposed_)
   {
@@ -97,12 +97,12 @@ Values MinimaxSystem::product(const Values& unknowns, const Execution& execution
       {
         const auto first = static_cast<Eigen::Index>(begin);
         const auto count = static_cast<Eigen::Index>(end) - first;
-        result.segment(done + first, count).noalias() =
+        products.segment(done + first, count).noalias() =
           equations.middleCols(first, count).transpose() * unknowns;
       });
     done += equations.cols();
   }
-  return result;
+  return this->right_ - products;
 }
 
 /// Least squares.
@@ -128,8 +128,9 @@ Values MinimaxSystem::closestTo(const Values& wanted, const Execution& execution
 Values MinimaxSystem::solve(const Execution& execution)
 {
   const Execution atFirst = execution.part(0.0, 0.0);
-  const Values closest = this->closestTo(this->right_, atFirst);
-  const Values errors = this->right_ - this->product(closest, atFirst);
+  const Values before =
+    std::exchange(this->best_, this->closestTo(this->right_, atFirst)); // none at first
+  const Values errors = this->errorsOf(this->best_, atFirst);
   double least = errors.lpNorm<Eigen::Infinity>();
   const auto keepIfBetter = [&](const Values& unknowns, double largest)
   {
@@ -139,15 +140,9 @@ Values MinimaxSystem::solve(const Execution& execution)
       this->best_ = unknowns;
     }
   };
-  if (this->best_.size() == 0)
+  if (before.size() > 0)
   {
-    this->best_ = closest;
-  }
-  else
-  {
-    const Values before = this->best_;
-    this->best_ = closest;
-    keepIfBetter(before, (this->right_ - this->product(before, atFirst)).lpNorm<Eigen::Infinity>());
+    keepIfBetter(before, this->errorsOf(before, atFirst).lpNorm<Eigen::Infinity>());
   }
   const double peaks = PeakShare * errors.lpNorm<1>();
   const Eigen::Index more = errors.size() - this->cut_.size();
@@ -165,7 +160,7 @@ Values MinimaxSystem::solve(const Execution& execution)
     this->multipliers_ = this->cut_ - relaxed;
     const Values unknowns =
       this->closestTo(this->right_ - this->cut_ - this->multipliers_, ofStep.part(0.0, 0.5));
-    this->errors_ = this->right_ - this->product(unknowns, ofStep.part(0.5, 1.0));
+    this->errors_ = this->errorsOf(unknowns, ofStep.part(0.5, 1.0));
     const double largest = this->errors_.lpNorm<Eigen::Infinity>();
     idle = largest < (1.0 - WorthAStep) * least ? 0 : idle + 1;
     keepIfBetter(unknowns, largest);

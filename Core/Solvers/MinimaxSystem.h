@@ -32,7 +32,7 @@ public:
 
 private:
   void addToNormalMatrix(const Eigen::MatrixXd& transposed, const Execution& execution);
-  Values product(const Values& unknowns, const Execution& execution) const;
+  Values errorsOf(const Values& unknowns, const Execution& execution) const;
   Values closestTo(const Values& wanted, const Execution& execution) const;
 
   std::vector<Eigen::MatrixXd> transposed_; ///< B^T, as it came
