@@ -4,7 +4,6 @@
 #include "MergeTrees.h"
 #include "MergeTreesBuilder.h"
 #include "MeshValues.h"
-#include "Require.h"
 #include "ValueOrder.h"
 
 #include <algorithm>
@@ -74,10 +73,7 @@ PersistencePairs persistencePairs(
 MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices, const MeshTopology& mesh,
   const ValuesRef& values, const Execution& execution)
 {
-  require(vertices.cols() == mesh.vertexCount(), "one place per vertex",
-    std::to_string(vertices.cols()) + " places for " + std::to_string(mesh.vertexCount()) +
-      " vertices",
-    "Choose the vertices of the mesh.");
+  checkVertexPlaces(mesh.vertexCount(), vertices, "mesh");
   const VertexTypes types = classifyVertices(mesh, values, execution.part(0.0, 0.1));
   const Execution ofTrees = execution.part(0.1, 0.9);
   const MergeTrees trees = mesh.isClosed() ? meshMergeTrees(mesh, values, ofTrees)

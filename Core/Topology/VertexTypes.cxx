@@ -120,6 +120,13 @@ void checkVertexValues(Index vertexCount, const ValuesRef& values, const VertexN
   }
 }
 
+void checkVertexPlaces(Index vertexCount, const PointsRef& places, const std::string& of)
+{
+  require(places.cols() == vertexCount, "one place per vertex",
+    std::to_string(places.cols()) + " places for " + std::to_string(vertexCount) + " vertices",
+    "Choose the vertices of the " + of + ".");
+}
+
 void checkValueRange(const ValuesRef& values)
 {
   require(std::isfinite(values.maxCoeff() - values.minCoeff()), "values of finite range",

@@ -2,7 +2,6 @@
 
 #include "CriticalPairs.h"
 #include "MeshValues.h"
-#include "Require.h"
 #include "Tunnels.h"
 
 #include <algorithm>
@@ -227,10 +226,7 @@ VolumeTypes classifyVolumeVertices(
 MeshCriticalPoints volumeCriticalPoints(const PointsRef& vertices, const VolumeTopology& volume,
   const ValuesRef& values, const Execution& execution)
 {
-  require(vertices.cols() == volume.vertexCount(), "one place per vertex",
-    std::to_string(vertices.cols()) + " places for " + std::to_string(volume.vertexCount()) +
-      " vertices",
-    "Choose the vertices of the volume.");
+  checkVertexPlaces(volume.vertexCount(), vertices, "volume");
   const VolumeTypes types = classifyVolumeVertices(volume, values, execution.part(0.0, 0.1));
   const Execution ofTrees = execution.part(0.1, 0.2);
   const auto neighborsOf = [&](Index vertex) { return volume.link(vertex); };
