@@ -8,6 +8,7 @@
 #include "vtkCellTypes.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <string>
 
@@ -94,6 +95,23 @@ FlatCells flatCellsOf(vtkDataSet* input, const Execution& execution)
   flat.surface->SetPolys(polygons);
   flat.surface->GetPointData()->ShallowCopy(input->GetPointData());
   return flat;
+}
+
+std::vector<Eigen::Index> partsWithout(unsigned char mark, vtkDataSet* input,
+  const std::vector<vtkIdType>& cells, const std::string& wanted)
+{
+  vtkUnsignedCharArray* marks = input->GetCellGhostArray();
+  std::vector<Eigen::Index> parts;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (!marks || (marks->GetValue(cells[i]) & mark) == 0)
+    {
+      parts.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  require(!parts.empty(), wanted, "none among " + std::to_string(input->GetNumberOfCells()),
+    "Check what is upstream.");
+  return parts;
 }
 
 } // namespace SurfaceScalars

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "Basics.h"
 #include "Execution.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
+#include <string>
 #include <vector>
 
 namespace SurfaceScalars
@@ -51,31 +51,13 @@ void forEachCell(vtkDataSet* input, const Execution& execution, const Visit& vis
   }
 }
 
-/// Whether cells of a dataset are marked (vtkGhostType).
-class CellMarks
-{
-public:
-  explicit CellMarks(vtkDataSet* input)
-    : marks_(input->GetCellGhostArray())
-  {
-  }
-
-  /// Not part of the dataset.
-  bool isHidden(vtkIdType cell) const { return this->is(cell, vtkDataSetAttributes::HIDDENCELL); }
-  /// Counts in another piece.
-  bool isDuplicate(vtkIdType cell) const
-  {
-    return this->is(cell, vtkDataSetAttributes::DUPLICATECELL);
-  }
-
-private:
-  bool is(vtkIdType cell, unsigned char mark) const
-  {
-    return this->marks_ && (this->marks_->GetValue(cell) & mark) != 0;
-  }
-
-  vtkUnsignedCharArray* marks_;
-};
+/// Which of these parts of cells are of cells without a mark.
+/// @param cells the one that each is of
+/// @param mark HIDDENCELL or DUPLICATECELL of vtkDataSetAttributes
+/// @param wanted what such cells are, for the sentence
+/// @throws InvalidInput if there are none
+std::vector<Eigen::Index> partsWithout(unsigned char mark, vtkDataSet* input,
+  const std::vector<vtkIdType>& cells, const std::string& wanted);
 
 /// The flat cells of a dataset as polydata, whose cells are parts of those.
 struct FlatCells

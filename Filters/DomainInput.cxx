@@ -11,6 +11,7 @@
 #include "VolumeTopology.h"
 
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 
@@ -205,21 +206,12 @@ DomainInput readSolidCells(
 template <class Simplices>
 void dropHidden(vtkDataSet* input, DomainInput& domain, Simplices& simplices)
 {
-  const CellMarks marks(input);
-  std::vector<Eigen::Index> kept;
-  for (std::size_t i = 0; i < domain.cells.size(); ++i)
-  {
-    if (!marks.isHidden(domain.cells[i]))
-    {
-      kept.push_back(static_cast<Eigen::Index>(i));
-    }
-  }
+  const std::vector<Eigen::Index> kept = partsWithout(
+    vtkDataSetAttributes::HIDDENCELL, input, domain.cells, "cells that are not hidden");
   if (kept.size() == domain.cells.size())
   {
     return;
   }
-  require(!kept.empty(), "cells that are not hidden",
-    "none among " + std::to_string(input->GetNumberOfCells()), "Check what is upstream.");
   simplices = Simplices(simplices(Eigen::all, kept));
   std::transform(kept.begin(), kept.end(), domain.cells.begin(),
     [&](Eigen::Index i) { return domain.cells[static_cast<std::size_t>(i)]; });

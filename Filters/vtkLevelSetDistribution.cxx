@@ -10,6 +10,7 @@
 #include "VolumeDomain.h"
 
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -57,30 +58,14 @@ void checkProperties(vtkLevelSetDistribution& filter)
     std::to_string(intervals), "0 chooses as many as take some seconds.");
 }
 
-/// The triangles or tetrahedra that do not count in another piece.
-std::vector<Eigen::Index> ownSimplices(vtkDataSet* input, const DomainInput& domain)
-{
-  const CellMarks marks(input);
-  std::vector<Eigen::Index> own;
-  for (std::size_t i = 0; i < domain.cells.size(); ++i)
-  {
-    if (!marks.isDuplicate(domain.cells[i]))
-    {
-      own.push_back(static_cast<Eigen::Index>(i));
-    }
-  }
-  require(!own.empty(), "cells that are no duplicates of another piece's",
-    "none among " + std::to_string(input->GetNumberOfCells()), "Check what is upstream.");
-  return own;
-}
-
-/// Of those that do not count in another piece; the others are not covered.
+/// Of triangles or tetrahedra that do not count in another piece; the others are not covered.
 LevelSetCoverage coverageOf(
   vtkDataSet* input, const DomainInput& domain, double tolerance, const Execution& execution)
 {
   const SimplicesRef simplices = domain.isVolume() ? SimplicesRef(domain.tetrahedra)
                                                    : SimplicesRef(domain.mesh.surface.triangles);
-  const std::vector<Eigen::Index> own = ownSimplices(input, domain);
+  const std::vector<Eigen::Index> own = partsWithout(vtkDataSetAttributes::DUPLICATECELL, input,
+    domain.cells, "cells that are no duplicates of another piece's");
   const Values& values = domain.mesh.values;
   if (own.size() == domain.cells.size())
   {
