@@ -82,9 +82,9 @@ struct MeshlessApproximation
  *
  * There are at most MostDenseCenters: `askedCount` says how many were asked for. With k >= 4
  * starCount the largest error of Greedy with Minimax is below half that of interpolation at as many
- * farthest points, and below a quarter of that of LevelSets unless the former is above 3% of f's
- * range or above half of that of half as many: no choice makes up for details that fit between the
- * centers (Documentation/approximation-accuracy.md).
+ * farthest points, and below a quarter of that of LevelSets, where the former is within 3% of f's
+ * range and within half of that of half as many: no choice makes up for noise, or for details that
+ * fit between the centers (Documentation/approximation-accuracy.md).
  *
  * Time O(k^3 + n k), memory O(k^2 + n); Minimax takes up to 20 times the memory, two gigabytes at
  * most, and from a thousand centers on several times as long. Results do not depend on the number
