@@ -54,7 +54,8 @@ function (surface_scalars_add_pvpython_test name script)
     "SURFACE_SCALARS_PLUGIN=$<TARGET_FILE:SurfaceScalars>"
     "SURFACE_SCALARS_DATA=${PROJECT_SOURCE_DIR}/Data"
     "SURFACE_SCALARS_OUTPUT=${SURFACE_SCALARS_TEST_OUTPUT}"
-    "PYTHONDONTWRITEBYTECODE=1")
+    "PYTHONDONTWRITEBYTECODE=1"
+    "OMPI_MCA_ess_singleton_isolated=1") # one process needs no daemon of Open MPI, which may fail to start
   set_tests_properties("${folder}.${name}" PROPERTIES
     TIMEOUT     "${test_TIMEOUT}"
     ENVIRONMENT "${environment}")
