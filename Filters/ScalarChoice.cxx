@@ -50,7 +50,7 @@ Request requestOf(vtkAlgorithm& filter, int index)
   return request;
 }
 
-/// "Choose one of the point arrays a, b." or what to do if there are none.
+/// "Choose one of the point arrays a, b." or what to do if there are none with one component.
 std::string advice(const std::vector<vtkPointSet*>& blocks)
 {
   std::set<std::string> names;
@@ -59,16 +59,17 @@ std::string advice(const std::vector<vtkPointSet*>& blocks)
     vtkPointData* data = block->GetPointData();
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      if (const char* name = data->GetAbstractArray(i)->GetName())
+      auto* array = vtkDataArray::SafeDownCast(data->GetAbstractArray(i));
+      if (array && array->GetName() && array->GetNumberOfComponents() == 1)
       {
-        names.insert(name);
+        names.insert(array->GetName());
       }
     }
   }
   if (names.empty())
   {
-    return "The input has no point arrays: compute one, for example with Point Set Scalar "
-           "Function.";
+    return "The input has no point array of one component: compute one, for example with Point Set "
+           "Scalar Function, or apply Cell Data to Point Data.";
   }
   std::string list;
   for (const std::string& name : names)
@@ -117,7 +118,7 @@ void checkAssociation(const Request& request, const std::vector<vtkPointSet*>& b
   const bool onCells = request.association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   const std::string name = request.name.empty() ? "" : " '" + request.name + "'";
   throw InvalidInput("a point array", (onCells ? "the cell array" : "the field data array") + name,
-    (onCells ? "Apply Cell Data to Point Data first. " : "") + advice(blocks));
+    onCells ? "Apply Cell Data to Point Data, or choose a point array." : advice(blocks));
 }
 
 } // namespace

@@ -97,8 +97,8 @@ TEST(ContourRefusal, everyPointMissing)
 
 TEST(ContourRefusal, noScalars)
 {
-  expectRefusal(
-    makeCloud(Truth::randomPlane(100, 1)), { "no active scalars", "has no point arrays" });
+  expectRefusal(makeCloud(Truth::randomPlane(100, 1)),
+    { "no active scalars", "has no point array of one component", "Cell Data to Point Data" });
 }
 
 TEST(ContourRefusal, noActiveScalarsButArraysToChooseFrom)
@@ -106,6 +106,10 @@ TEST(ContourRefusal, noActiveScalarsButArraysToChooseFrom)
   const auto cloud = makeCloud(Truth::randomPlane(100, 1));
   addArray<vtkDoubleArray>(cloud, "temperature", Values::Zero(100));
   addArray<vtkFloatArray>(cloud, "height", Values::Zero(100));
+  vtkNew<vtkDoubleArray> normals; // no function: not offered
+  normals->SetName("normals");
+  normals->SetNumberOfComponents(3);
+  cloud->GetPointData()->AddArray(normals);
   expectRefusal(
     cloud, { "no active scalars", "Choose one of the point arrays 'height', 'temperature'." });
 }
@@ -128,7 +132,7 @@ TEST(ContourRefusal, aCellArray)
   filter->SetInputData(cloud);
   chooseArray(filter, "quality", vtkDataObject::FIELD_ASSOCIATION_CELLS);
   expectRefusal(filter,
-    { "needs a point array, found the cell array 'quality'.", "Cell Data to Point Data", "'f'" });
+    { "needs a point array, found the cell array 'quality'.", "Apply Cell Data to Point Data" });
 }
 
 TEST(ContourRefusal, aVector)
