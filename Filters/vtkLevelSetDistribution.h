@@ -12,7 +12,7 @@
  * - The range of f is divided into 2^k equal parts for k = 1, 2, ... The coverage c_k is the share
  * of the area (of volumes: the volume) of the triangles or tetrahedra that at least one of the
  * 2^k - 1 values between the parts meets. Where no further halving changes it by CoverageTolerance
- * it is stationary: the global coverage, and the values are the optimal ones.
+ * times its limit it is stationary: the global coverage, and the values are the optimal ones.
  *
  * - The distortion map is the distance between the level sets of consecutive values, each the
  * points in which edges cross its value. Intervals that contain the value of a critical point are
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * What a halving has to add to the coverage to count, a share of the area; above 0, below 1.
-   * Default: 1e-4.
+   * What a halving has to add to the coverage to count, a share of the area without plateaus; above
+   * 0, below 1. The one that adds most always counts. Default: 1e-4.
    */
   vtkSetMacro(CoverageTolerance, double);
   vtkGetMacro(CoverageTolerance, double);

@@ -148,7 +148,7 @@ public:
   ///@{
   /**
    * Of LEVEL_SETS: level sets are added until no more of them change their coverage of the surface
-   * by this much; above 0, below 1. Default: 1e-4.
+   * by this much of its limit; above 0, below 1. Default: 1e-4.
    */
   vtkSetMacro(CoverageTolerance, double);
   vtkGetMacro(CoverageTolerance, double);

@@ -150,11 +150,16 @@ std::vector<double> additions(const FirstMeetings& meetings)
   return added;
 }
 
-/// The last step that adds as much as the tolerance; at least 1.
+/// The last step that matters: it adds as much as the tolerance of what steps can add, or, where
+/// none does, more than any other.
 int lastStep(const std::vector<double>& added, double tolerance)
 {
+  const auto first = added.begin() + 1;
+  const auto beyond = first + MostSteps; // what is met later or by nothing
+  const double least =
+    std::min(tolerance * std::accumulate(first, beyond, 0.0), *std::max_element(first, beyond));
   int last = MostSteps;
-  while (last > 1 && added[static_cast<std::size_t>(last)] < tolerance)
+  while (last > 1 && (added[static_cast<std::size_t>(last)] < least || least == 0.0))
   {
     --last;
   }

@@ -28,15 +28,18 @@ struct LevelSetCoverage
  * the range of its corners; each simplex counts once.
  *
  * The dichotomy ends where the coverage is stationary: no further step, up to 2^30 parts or as many
- * as numbers can tell apart, changes it by the tolerance. (The paper stops at the first such step,
- * which for values crowded in a small part of the range is the very first.) The limit of c_k is the
- * share of the simplices on which f is not constant, whatever f: it is 1 unless f has plateaus, and
- * says nothing of how level sets are distributed. What does is how many of them it takes.
+ * as numbers can tell apart, changes it by the tolerance times its limit, and the step that changes
+ * it most is done. (The paper stops at the first step below the tolerance itself, which for values
+ * crowded in a small part of the range, or beside large plateaus, is the very first.) The limit of
+ * c_k is the share of the simplices on which f is not constant, whatever f: it is 1 unless f has
+ * plateaus, and says nothing of how level sets are distributed. What does is how many of them it
+ * takes.
  *
  * Time O(n): which power of 2 is the first to meet a simplex follows from its own range.
  *
  * @param vertices 3 x n, finite @param simplices triangles or tetrahedra, corners below n
- * @param values one per vertex, finite @param tolerance share, above 0 and below 1
+ * @param values one per vertex, finite
+ * @param tolerance share of what values can meet, above 0 and below 1
  * @throws InvalidInput unless it is so, and for a mesh without area or volume; Aborted
  */
 SURFACESCALARSCORE_EXPORT LevelSetCoverage levelSetCoverage(const PointsRef& vertices,

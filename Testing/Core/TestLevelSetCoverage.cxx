@@ -173,6 +173,78 @@ TEST(LevelSetCoverage, endsWhereItIsStationary)
   }
 }
 
+/// Columns of triangles side by side, each from one of the values to the next, as wide as said.
+struct Columns
+{
+  SimplicialMesh mesh;
+  Values values;
+};
+
+Columns columnsOf(const Values& values, const Values& widths)
+{
+  const Eigen::Index count = widths.size();
+  Columns result{ { Points(3, 2 * values.size()), Simplices(3, 2 * count) },
+    Values(2 * values.size()) };
+  double x = 0.0;
+  for (Eigen::Index i = 0; i <= count; ++i)
+  {
+    const auto below = static_cast<Index>(2 * i); // and above is the next
+    result.mesh.vertices.col(below) = Vector3d(x, 0.0, 0.0);
+    result.mesh.vertices.col(below + 1) = Vector3d(x, 1.0, 0.0);
+    result.values.segment<2>(below).setConstant(values[i]);
+    if (i < count)
+    {
+      result.mesh.simplices.col(below) << below, below + 2, below + 3;
+      result.mesh.simplices.col(below + 1) << below, below + 3, below + 1;
+      x += widths[i];
+    }
+  }
+  return result;
+}
+
+// What no value can meet has no say: a slope of 64 columns has the same iso-values alone and beside
+// a plateau, however large, and they cover as much of it. Values meet the columns to either side of
+// a vertex: c_k = 2 (2^k - 1) / 64 for k < 6, of which the fifth step adds a half, and the sixth
+// the columns at the ends.
+TEST(LevelSetCoverage, doesNotDependOnPlateaus)
+{
+  constexpr int count = 64;
+  for (const double slope : { 1.0, 0.5, 0.2, 0.01, 1e-6 })
+  {
+    Values values = Values::LinSpaced(count + 2, 0.0, (count + 1.0) / count);
+    values[count + 1] = values[count];
+    Values widths = Values::Constant(count + 1, slope / count);
+    widths[count] = 1.0 - slope;
+    const Columns columns = columnsOf(values, widths);
+    const LevelSetCoverage coverage = coverageOf(columns.mesh, columns.values, 0.2);
+    ASSERT_EQ(coverage.coverages.size(), 5u) << slope;
+    for (int k = 1; k <= 5; ++k)
+    {
+      EXPECT_NEAR(coverage.coverages[static_cast<std::size_t>(k - 1)],
+        slope * 2.0 * (std::ldexp(1.0, k) - 1.0) / count, 1e-12)
+        << slope;
+    }
+    EXPECT_EQ(coverageOf(columns.mesh, columns.values, 0.01).coverages.size(), 6u) << slope;
+  }
+}
+
+// Where no step adds as much as the tolerance, it ends with the one that adds most. Of values that
+// halve from column to column step k is the first to meet column k, the first step two columns.
+TEST(LevelSetCoverage, endsWithTheLargestStepAtTheEarliest)
+{
+  const Values values =
+    (Values(8) << 1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0).finished();
+  const Values widths = (Values(7) << 1.0, 1.0, 3.0, 2.0, 4.0, 3.0, 2.0).finished() / 16.0;
+  const Columns columns = columnsOf(values, widths);
+  const auto stepsWith = [&](double tolerance)
+  { return coverageOf(columns.mesh, columns.values, tolerance).coverages; };
+  EXPECT_EQ(stepsWith(0.9).size(), 4u);
+  EXPECT_NEAR(stepsWith(0.9).back(), 11.0 / 16.0, 1e-12);
+  EXPECT_EQ(stepsWith(0.2).size(), 4u);  // which adds 4 / 16
+  EXPECT_EQ(stepsWith(0.15).size(), 5u); // 3 / 16
+  EXPECT_EQ(stepsWith(0.1).size(), 6u);  // 2 / 16
+}
+
 // Values crowded in a thousandth of the range, for one vertex is far off: the first halvings change
 // nothing, which is no reason to stop.
 TEST(LevelSetCoverage, looksIntoCrowdedValues)
