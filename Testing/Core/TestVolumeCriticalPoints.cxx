@@ -1,9 +1,7 @@
-#include "DisjointSets.h"
 #include "Error.h"
 #include "Meshes.h"
-#include "ValueRanks.h"
 #include "VolumeCriticalPoints.h"
-#include "VolumeExamples.h"
+#include "VolumeFunctions.h"
 
 #include <gtest/gtest.h>
 
@@ -18,28 +16,6 @@ namespace SurfaceScalars::Truth
 {
 namespace
 {
-
-VolumeTopology topologyOf(const Volume& volume, int threadCount = 0)
-{
-  return { static_cast<Index>(volume.vertices.cols()), volume.tetrahedra, { threadCount, {} } };
-}
-
-struct NamedFunction
-{
-  std::string name;
-  Values values;
-};
-
-/// A height, noise on it, noise alone, few different values, and one.
-std::vector<NamedFunction> functionsOn(const Volume& volume)
-{
-  const Values smooth = Vector3d(0.3, 0.5, 0.8).transpose() * volume.vertices;
-  Values noise = Values::Zero(smooth.size());
-  addNoise(noise, 1.0, 7);
-  return { { "smooth", smooth }, { "noisy", smooth + 0.2 * noise }, { "random", noise },
-    { "steps", noise.unaryExpr([](double value) { return std::floor(value); }) },
-    { "constant", Values::Constant(smooth.size(), 3.0) } };
-}
 
 /// 1 less the Euler characteristic of the lower link, which is counted: vertices, edges and
 /// triangles of the tetrahedra around the vertex whose corners have lesser ranks.
@@ -77,46 +53,6 @@ std::vector<int> banchoffIndices(const Tetrahedra& tetrahedra, const std::vector
   }
   return indices;
 }
-
-/// A volume glued to a mirror image of its own along the boundary: the image of an interior vertex
-/// comes after all vertices.
-struct Glued
-{
-  explicit Glued(const Volume& volume)
-    : tetrahedra(4, 2 * volume.tetrahedra.cols())
-  {
-    const std::vector<bool> isBoundary = boundaryOf(volume);
-    std::vector<Index> images;
-    auto count = static_cast<Index>(volume.vertices.cols());
-    this->originals.resize(count);
-    std::iota(this->originals.begin(), this->originals.end(), Index(0));
-    for (Index vertex = 0; vertex < isBoundary.size(); ++vertex)
-    {
-      images.push_back(isBoundary[vertex] ? vertex : count++);
-      if (!isBoundary[vertex])
-      {
-        this->originals.push_back(vertex);
-      }
-    }
-    this->tetrahedra << volume.tetrahedra,
-      volume.tetrahedra.unaryExpr([&](Index vertex) { return images[vertex]; });
-  }
-
-  /// An image comes right after its vertex.
-  std::vector<int> ranks(const Values& values) const
-  {
-    const std::vector<int> ofOriginals = ranksOf(values);
-    Values twice(static_cast<Eigen::Index>(this->originals.size()));
-    for (std::size_t i = 0; i < this->originals.size(); ++i)
-    {
-      twice[static_cast<Eigen::Index>(i)] = ofOriginals[this->originals[i]];
-    }
-    return ranksOf(twice);
-  }
-
-  Tetrahedra tetrahedra;
-  std::vector<Index> originals; ///< of each vertex
-};
 
 int indexAt(const VolumeTypes& types, Index vertex)
 {
@@ -273,131 +209,6 @@ TEST(VolumeCriticalPoints, aVertexCanBeBothSaddles)
     typesOf([](const Vector3d& p) { return p.dot(Vector3d(-1, -2, 1.5).cwiseProduct(p)); });
   EXPECT_EQ(two.types[center], CriticalType::TwoSaddle);
   EXPECT_EQ(two.twoSaddles[center], 1U);
-}
-
-using VertexPairs = std::multiset<std::pair<std::size_t, std::size_t>>; ///< extremum and saddle
-
-/// The merges of components as one vertex comes after the other, by their ranks.
-VertexPairs mergesOf(const Tetrahedra& tetrahedra, const std::vector<int>& ranks)
-{
-  const auto count = static_cast<Index>(ranks.size());
-  std::vector<std::set<Index>> before(count); // by rank
-  for (Eigen::Index cell = 0; cell < tetrahedra.cols(); ++cell)
-  {
-    for (const Index a : tetrahedra.col(cell))
-    {
-      for (const Index b : tetrahedra.col(cell))
-      {
-        if (ranks[b] < ranks[a])
-        {
-          before[static_cast<Index>(ranks[a])].insert(static_cast<Index>(ranks[b]));
-        }
-      }
-    }
-  }
-  VertexPairs merges;
-  DisjointSets sets(count); // by rank; roots are the first vertices
-  for (Index rank = 0; rank < count; ++rank)
-  {
-    std::set<Index> roots;
-    for (const Index other : before[rank])
-    {
-      roots.insert(sets.find(other));
-    }
-    for (const Index root : roots)
-    {
-      if (root != *roots.begin())
-      {
-        merges.emplace(root, rank);
-        sets.attach(root, *roots.begin());
-      }
-    }
-    if (!roots.empty())
-    {
-      sets.attach(rank, *roots.begin());
-    }
-  }
-  return merges;
-}
-
-/// The same by the vertices that have the ranks, for an image by its vertex.
-VertexPairs pairsByMerging(const Glued& glued, std::vector<int> ranks, bool isRising)
-{
-  const auto last = static_cast<int>(ranks.size()) - 1;
-  for (int& rank : ranks)
-  {
-    rank = isRising ? rank : last - rank;
-  }
-  std::vector<std::size_t> vertexOf(ranks.size());
-  for (std::size_t i = 0; i < ranks.size(); ++i)
-  {
-    vertexOf[static_cast<std::size_t>(ranks[i])] = i;
-  }
-  VertexPairs pairs;
-  for (const auto& [extremum, saddle] : mergesOf(glued.tetrahedra, ranks))
-  {
-    pairs.emplace(glued.originals[vertexOf[extremum]], glued.originals[vertexOf[saddle]]);
-  }
-  return pairs;
-}
-
-/// Cubes at random, which meet in vertices and edges, too.
-NamedVolume crumbs(unsigned seed)
-{
-  Random random(seed);
-  return { "crumbs " + std::to_string(seed),
-    cubesVolume({ 5, 5, 5 }, [&](const Cube&) { return random.uniform() < 0.4; }), 0, 0, false };
-}
-
-// The pairs are among those of components that meet on the volume glued to its mirror image, a
-// manifold or not; each ends one component of its saddle, and persistence is what the pairs say.
-TEST(VolumeCriticalPoints, pairsAreThoseOfComponentsThatMeet)
-{
-  std::vector<NamedVolume> volumes = volumesOfAllKinds();
-  for (unsigned seed = 0; seed < 10; ++seed)
-  {
-    volumes.push_back(crumbs(seed));
-  }
-  for (const NamedVolume& named : volumes)
-  {
-    const VolumeTopology topology = topologyOf(named.volume);
-    Glued glued(named.volume);
-    if (named.isClosed)
-    {
-      glued.tetrahedra = named.volume.tetrahedra; // no image of it
-      glued.originals.resize(static_cast<std::size_t>(named.volume.vertices.cols()));
-    }
-    for (const auto& [name, values] : functionsOn(named.volume))
-    {
-      SCOPED_TRACE(named.name + ", " + name);
-      const MeshCriticalPoints found =
-        volumeCriticalPoints(named.volume.vertices, topology, values);
-      VertexPairs minima;
-      VertexPairs maxima;
-      std::vector<int> ended(found.points.size(), 0);
-      for (const CriticalPair& pair : found.pairs)
-      {
-        const CriticalPoint& extremum = found.points[pair.extremum];
-        const CriticalPoint& saddle = found.points[pair.saddle];
-        EXPECT_EQ(pair.persistence, std::abs(saddle.value - extremum.value));
-        EXPECT_LE(pair.persistence, saddle.persistence);
-        EXPECT_LE(++ended[pair.saddle], saddle.multiplicity);
-        const bool isMinimum = extremum.type == CriticalType::Minimum;
-        if (!isMinimum && extremum.type != CriticalType::Maximum)
-        {
-          continue; // a pair of saddles, see TestVolumePersistence
-        }
-        EXPECT_EQ(saddle.type, isMinimum ? CriticalType::Saddle : CriticalType::TwoSaddle);
-        (isMinimum ? minima : maxima).emplace(extremum.input, saddle.input);
-      }
-      const std::vector<int> ranks = glued.ranks(values);
-      const VertexPairs rising = pairsByMerging(glued, ranks, true);
-      const VertexPairs falling = pairsByMerging(glued, ranks, false);
-      EXPECT_TRUE(std::includes(rising.begin(), rising.end(), minima.begin(), minima.end()));
-      EXPECT_TRUE(std::includes(falling.begin(), falling.end(), maxima.begin(), maxima.end()));
-      EXPECT_TRUE(!named.isClosed || (minima == rising && maxima == falling));
-    }
-  }
 }
 
 // Results do not depend on the number of threads.

@@ -22,11 +22,6 @@ namespace SurfaceScalars::Truth
 namespace
 {
 
-VolumeTopology topologyOf(const Volume& volume)
-{
-  return { static_cast<Index>(volume.vertices.cols()), volume.tetrahedra };
-}
-
 using TypedVertex = std::pair<CriticalType, Index>;
 using Pairs = std::multiset<std::pair<TypedVertex, TypedVertex>>; ///< saddles, and what they end
 

@@ -1,6 +1,5 @@
 #include "Error.h"
 #include "VolumeExamples.h"
-#include "VolumeTopology.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +10,6 @@ namespace SurfaceScalars::Truth
 {
 namespace
 {
-
-VolumeTopology topologyOf(const Volume& volume, int threadCount = 0)
-{
-  return { static_cast<Index>(volume.vertices.cols()), volume.tetrahedra, { threadCount, {} } };
-}
 
 /// The sentence with which tetrahedra are refused.
 std::string refusal(Index vertexCount, const Tetrahedra& tetrahedra, const VertexName& nameOf = {})

@@ -2,6 +2,7 @@
 
 #include "Sampling.h"
 #include "Tetrahedra.h"
+#include "VolumeTopology.h"
 
 #include <algorithm>
 #include <array>
@@ -87,6 +88,11 @@ inline Volume threeTorus(int size)
 {
   return cubesVolume(
     { size, size, size }, [](const Cube&) { return true; }, true);
+}
+
+inline VolumeTopology topologyOf(const Volume& volume, int threadCount = 0)
+{
+  return { static_cast<Index>(volume.vertices.cols()), volume.tetrahedra, { threadCount, {} } };
 }
 
 struct NamedVolume
