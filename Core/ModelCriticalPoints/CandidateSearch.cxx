@@ -31,7 +31,10 @@ public:
     , poll_(poll)
     , arrivals_(arrivals)
   {
-    this->arrivals_.residual = this->newton_.residualAt(this->vertex_);
+    if (stage == SearchStage::Certain) // which is the first
+    {
+      this->arrivals_.residual = this->newton_.residualAt(this->vertex_);
+    }
   }
 
   void search(int wanted)
