@@ -205,11 +205,12 @@ void acceptTargets(vtkInformation* port)
 void giveTypes(
   vtkAlgorithm& filter, vtkDataObject* model, const char* otherwise, vtkInformationVector* outputs)
 {
+  const bool isTarget = vtkDataSet::SafeDownCast(model) || vtkCompositeDataSet::SafeDownCast(model);
   for (int port = 0; port < filter.GetNumberOfOutputPorts(); ++port)
   {
     const std::string type = port != 0
       ? filter.GetOutputPortInformation(port)->Get(vtkDataObject::DATA_TYPE_NAME())
-      : (model ? model->GetClassName() : otherwise);
+      : (isTarget ? model->GetClassName() : otherwise);
     const vtkDataObject* present = vtkDataObject::GetData(outputs, port);
     if (!present || type != present->GetClassName())
     {

@@ -43,7 +43,8 @@ TargetRequest targetRequestOf(Filter& filter, const std::string& valueName)
 void acceptTargets(vtkInformation* port);
 
 /// For RequestDataObject(): gives output 0 an empty object of the model's type, or of `otherwise`
-/// without a model, and the other ports those of their declared types; not to ports that have them.
+/// where that is no dataset nor a composite (which the pipeline refuses once there is an output),
+/// and the other ports those of their declared types; not to ports that have them.
 void giveTypes(
   vtkAlgorithm& filter, vtkDataObject* model, const char* otherwise, vtkInformationVector* outputs);
 

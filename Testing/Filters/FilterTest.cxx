@@ -98,10 +98,9 @@ vtkSmartPointer<vtkPolyData> makeCloud(
 Outcome update(vtkAlgorithm* filter)
 {
   Outcome outcome;
-  std::vector<std::string> executive;
   const Listener errors(filter, vtkCommand::ErrorEvent, outcome.errors);
   const Listener warnings(filter, vtkCommand::WarningEvent, outcome.warnings);
-  const Listener failures(filter->GetExecutive(), vtkCommand::ErrorEvent, executive);
+  const Listener failures(filter->GetExecutive(), vtkCommand::ErrorEvent, outcome.pipeline);
   outcome.succeeded = filter->GetExecutive()->Update() != 0;
   return outcome;
 }

@@ -49,10 +49,10 @@ struct Outcome
   bool succeeded = false;
   std::vector<std::string> errors;
   std::vector<std::string> warnings;
+  std::vector<std::string> pipeline; ///< what the executive says: inputs refused, filters that fail
 };
 
-/// Updates a filter and catches what it says; the executive's own message that a filter failed is
-/// swallowed.
+/// Updates a filter and catches what it and its executive say.
 Outcome update(vtkAlgorithm* filter);
 
 /// Expects success without a word.

@@ -7,6 +7,10 @@
 #include "FilterRun.h"
 #include "SolidCells.h"
 #include "VolumeTopology.h"
+#include "vtkLevelSetDistribution.h"
+#include "vtkMeshlessApproximation.h"
+#include "vtkRBFEvaluate.h"
+#include "vtkRBFExtend.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAlgorithm.h"
@@ -17,6 +21,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <Eigen/Geometry>
@@ -31,6 +36,7 @@
 using namespace SurfaceScalars;
 using namespace SurfaceScalars::FilterTest;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 namespace
 {
@@ -334,4 +340,24 @@ TEST(DomainInput, refusesWhatItCannotRead)
   const auto wild = grid(randomCube(4, 1));
   addCell(wild, VTK_TETRA, { 0, 1, 2, 9 });
   expectRefusal(wild, { "a corner 9" });
+}
+
+// VTK's own sentence says what is no dataset, and of which type it is: there is an output to refuse
+// it for.
+TEST(DomainInput, isADataset)
+{
+  const auto expectRefusal = [](vtkAlgorithm* filter, int port)
+  {
+    vtkNew<vtkPolyData> none;
+    filter->SetInputDataObject(0, none);
+    filter->SetInputDataObject(port, vtkNew<vtkTable>());
+    const Outcome outcome = update(filter);
+    EXPECT_FALSE(outcome.succeeded);
+    EXPECT_THAT(
+      outcome.pipeline, ElementsAre(HasSubstr("of type vtkTable, but a vtkDataSet is required")));
+  };
+  expectRefusal(vtkNew<vtkLevelSetDistribution>(), 0);
+  expectRefusal(vtkNew<vtkMeshlessApproximation>(), 0);
+  expectRefusal(vtkNew<vtkRBFEvaluate>(), 1);
+  expectRefusal(vtkNew<vtkRBFExtend>(), 1);
 }
