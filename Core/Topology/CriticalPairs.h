@@ -55,23 +55,21 @@ MergeTrees mirroredMergeTrees(
   return MergeTreesBuilder(mirrored.count(), neighborsOf, isBelow, execution).build();
 }
 
-/// Of a saddle that is not on the boundary and of its image, which may differ.
-enum class ImagePairs
-{
-  Without,       ///< the saddle's own
-  MostPersistent ///< of both, as many as its multiplicity: removeBelow() keeps what is persistent
-};
-
-/// Gives critical vertices of a mesh or volume their pairs and persistence.
+/**
+ * Gives critical vertices of a mesh or volume their pairs and persistence.
+ *
+ * A vertex that is not on the boundary stands for its image, too, whose pairs may be others. By
+ * descending persistence, what is never cancelled first, a saddle has every second of all these:
+ * where the two agree those of one, and removeBelow() leaves half of what it leaves of both on the
+ * glued mesh, rounded up.
+ */
 template <class Topology>
 class PairCollector
 {
 public:
-  PairCollector(const Topology& mesh, const ValuesRef& values, std::vector<CriticalPoint> points,
-    ImagePairs imagePairs)
+  PairCollector(const Topology& mesh, const ValuesRef& values, std::vector<CriticalPoint> points)
     : mesh_(mesh)
     , values_(values)
-    , imagePairs_(imagePairs)
     , result_{ std::move(points), {} }
     , ended_(this->result_.points.size(), 0)
   {
@@ -89,10 +87,7 @@ public:
       const Index saddle = pointOfVertex[mirrored.original(merge.vertex)];
       this->end(extremum, this->difference(extremum, saddle));
       this->end(saddle, this->difference(extremum, saddle));
-      if (this->imagePairs_ == ImagePairs::MostPersistent || !mirrored.isImage(merge.vertex))
-      {
-        this->list(extremum, saddle);
-      }
+      this->list(extremum, saddle);
     }
   }
 
@@ -111,22 +106,30 @@ public:
   MeshCriticalPoints conclude()
   {
     const double range = this->values_.maxCoeff() - this->values_.minCoeff();
-    std::vector<int> lasting;
+    std::vector<int> counts; // of each point: of what it lists, or would
     for (std::size_t i = 0; i < this->ended_.size(); ++i)
     {
-      CriticalPoint& point = this->result_.points[i];
-      const bool isSingle =
-        this->mesh_.isClosed() || this->mesh_.isBoundary(static_cast<Index>(point.input));
-      lasting.push_back(std::max(0, point.multiplicity * (isSingle ? 1 : 2) - this->ended_[i]));
-      if (lasting[i] > 0)
+      counts.push_back(std::max(0, this->multiplicity(i) - this->ended_[i]));
+      if (counts[i] > 0)
       {
-        point.persistence = range;
+        this->result_.points[i].persistence = range;
       }
     }
-    if (this->imagePairs_ == ImagePairs::MostPersistent)
-    {
-      this->keepMostPersistent(std::move(lasting));
-    }
+    std::vector<CriticalPair>& pairs = this->result_.pairs;
+    std::sort(pairs.begin(), pairs.end(),
+      [](const CriticalPair& a, const CriticalPair& b)
+      {
+        return std::tie(a.saddle, b.persistence, a.extremum) <
+          std::tie(b.saddle, a.persistence, b.extremum);
+      });
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                  [&](const CriticalPair& pair)
+                  {
+                    const int place = counts[pair.saddle]++;
+                    return place >= this->multiplicity(pair.saddle) ||
+                      (this->hasImage(pair.saddle) && place % 2 != 0);
+                  }),
+      pairs.end());
     return std::move(this->result_);
   }
 
@@ -148,26 +151,20 @@ private:
     this->result_.pairs.push_back({ extremum, saddle, this->difference(extremum, saddle) });
   }
 
-  /// @param counts of each point: of those before all pairs, that are never cancelled
-  void keepMostPersistent(std::vector<int> counts)
+  bool hasImage(std::size_t point) const
   {
-    std::vector<CriticalPair>& pairs = this->result_.pairs;
-    std::sort(pairs.begin(), pairs.end(),
-      [](const CriticalPair& a, const CriticalPair& b)
-      {
-        return std::tie(a.saddle, b.persistence, a.extremum) <
-          std::tie(b.saddle, a.persistence, b.extremum);
-      });
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                  [&](const CriticalPair& pair) {
-                    return ++counts[pair.saddle] > this->result_.points[pair.saddle].multiplicity;
-                  }),
-      pairs.end());
+    return !this->mesh_.isClosed() &&
+      !this->mesh_.isBoundary(static_cast<Index>(this->result_.points[point].input));
+  }
+
+  /// With that of the image.
+  int multiplicity(std::size_t point) const
+  {
+    return this->result_.points[point].multiplicity * (this->hasImage(point) ? 2 : 1);
   }
 
   const Topology& mesh_;
   const ValuesRef& values_;
-  ImagePairs imagePairs_;
   MeshCriticalPoints result_;
   std::vector<int> ended_; ///< in how many pairs each point is, with its image
 };

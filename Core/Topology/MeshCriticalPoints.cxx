@@ -79,8 +79,7 @@ MeshCriticalPoints meshCriticalPoints(const PointsRef& vertices, const MeshTopol
   const MergeTrees trees = mesh.isClosed() ? meshMergeTrees(mesh, values, ofTrees)
                                            : mirroredMergeTrees(mesh, values, ofTrees);
   std::vector<Index> pointOfVertex(mesh.vertexCount(), 0);
-  PairCollector collector(
-    mesh, values, criticalPoints(vertices, values, types, pointOfVertex), ImagePairs::Without);
+  PairCollector collector(mesh, values, criticalPoints(vertices, values, types, pointOfVertex));
   collector.add(trees.sublevel, pointOfVertex);
   collector.add(trees.superlevel, pointOfVertex);
   MeshCriticalPoints result = collector.conclude();

@@ -66,7 +66,7 @@ SURFACESCALARSCORE_EXPORT PersistencePairs persistencePairs(
 struct MeshCriticalPoints
 {
   std::vector<CriticalPoint> points; ///< by vertex; `input` is the vertex
-  std::vector<CriticalPair> pairs; ///< all, indices into points; of volumes, of two saddles as well
+  std::vector<CriticalPair> pairs;   ///< indices into points; of volumes, of two saddles as well
 };
 
 /**
@@ -75,9 +75,14 @@ struct MeshCriticalPoints
  * and maximum of each component. On a closed mesh removeBelow() (Persistence.h) keeps the sum of
  * the indices.
  *
- * On a mesh with boundary the pairs are those on the mesh glued to its mirror image: a saddle of
- * the boundary may also end one of two mirror images. A vertex has the larger persistence of its
- * images (for extrema, that on the mesh itself), and a saddle the pairs of one of its images.
+ * On a mesh with boundary the pairs are those on the mesh glued to its mirror image. A vertex that
+ * is not on the boundary stands for its image, too, whose pairs may be others. A point has the
+ * largest persistence of both (of extrema, that on the mesh itself), a saddle every second pair of
+ * both, the most persistent first. So removeBelow() keeps what has the threshold's persistence, and
+ * nothing else; of a saddle half the multiplicity that both keep, rounded up. The sum of the
+ * indices, those of the boundary counted half, grows by half the indices of what one of the two
+ * keeps alone. No other rule keeps both promises: of a hollow near the boundary and its image one
+ * ends at the low saddle between them, which is on the boundary, and the other lasts.
  *
  * @throws as classifyVertices(); InvalidInput unless there is one place per vertex
  */

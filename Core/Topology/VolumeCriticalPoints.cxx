@@ -235,7 +235,7 @@ MeshCriticalPoints volumeCriticalPoints(const PointsRef& vertices, const VolumeT
     ? MergeTreesBuilder(volume.vertexCount(), neighborsOf, isBelow, ofTrees).build()
     : mirroredMergeTrees(volume, values, ofTrees);
   CriticalVertices critical = criticalVertices(vertices, values, types);
-  PairCollector collector(volume, values, std::move(critical.points), ImagePairs::MostPersistent);
+  PairCollector collector(volume, values, std::move(critical.points));
   collector.add(trees.sublevel, critical.below);
   collector.add(trees.superlevel, critical.above);
   const VertexOrder order =

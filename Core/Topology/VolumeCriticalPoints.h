@@ -66,9 +66,6 @@ SURFACESCALARSCORE_EXPORT VolumeTypes classifyVolumeVertices(
  * saddles is two points. A pair of saddles is two pairs: in each, the other one is in the place of
  * the extremum. So removeBelow() keeps the sum of the indices of a closed manifold.
  *
- * Of the pairs of a vertex that is not on the boundary and of its image, a saddle has the most
- * persistent: removeBelow() keeps what has the threshold's persistence, and nothing else.
- *
  * @warning Where the volume is no manifold, a tunnel may end at a vertex that is no 2-saddle, or in
  * more pairs than its multiplicity: such are left out, and what they leave has f's range.
  *

@@ -1,4 +1,4 @@
-#include "LinkWalk.h"
+#include "GluedPairs.h"
 #include "MeshCriticalPoints.h"
 #include "MeshFunctions.h"
 #include "ValueRanks.h"
@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace SurfaceScalars::Truth
@@ -16,71 +18,21 @@ namespace
 
 using VertexPairs = std::multiset<std::pair<std::size_t, std::size_t>>; ///< extremum and saddle
 
-/// Persistence pairs by reduction of the boundary matrix over Z2, where each simplex comes with its
-/// highest vertex: of vertices and edges (minima), and of edges and triangles (maxima).
-struct ReducedPairs
+/// Of vertices and edges: dimension 0; of edges and triangles: dimension 1.
+VertexPairs verticesOf(const ReducedPairs& reduced, int dimension)
 {
-  ReducedPairs(const TriangleMesh& mesh, const Values& values)
+  VertexPairs vertices;
+  for (const VertexPair& pair : reduced.pairs)
   {
-    const std::vector<int> ranks = ranksOf(values);
-    std::vector<std::size_t> vertexOf(ranks.size());
-    std::set<std::vector<int>> simplices; // vertices by rank, descending; faces come before
-    for (std::size_t i = 0; i < ranks.size(); ++i)
+    if (pair.dimension == dimension)
     {
-      vertexOf[static_cast<std::size_t>(ranks[i])] = i;
-      simplices.insert({ ranks[i] });
-    }
-    for (const auto& triangle : mesh.triangles)
-    {
-      std::vector<int> corners;
-      for (const int vertex : triangle)
-      {
-        corners.push_back(ranks[static_cast<std::size_t>(vertex)]);
-      }
-      std::sort(corners.rbegin(), corners.rend());
-      const auto [a, b, c] = std::tie(corners[0], corners[1], corners[2]);
-      simplices.insert({ { a, b, c }, { a, b }, { a, c }, { b, c } });
-    }
-    std::map<std::vector<int>, std::set<std::vector<int>>> reduced; // by their last simplex
-    for (const std::vector<int>& simplex : simplices)
-    {
-      std::set<std::vector<int>> column;
-      for (std::size_t left = 0; simplex.size() > 1 && left < simplex.size(); ++left)
-      {
-        std::vector<int> face = simplex;
-        face.erase(face.begin() + static_cast<std::ptrdiff_t>(left));
-        column.insert(face);
-      }
-      for (auto found = reduced.end();
-           !column.empty() && (found = reduced.find(*column.rbegin())) != reduced.end();)
-      {
-        for (const std::vector<int>& face : std::set<std::vector<int>>(found->second))
-        {
-          if (!column.insert(face).second)
-          {
-            column.erase(face);
-          }
-        }
-      }
-      if (column.empty())
-      {
-        continue;
-      }
-      const std::vector<int> born = *column.rbegin();
-      reduced.emplace(born, std::move(column));
-      const std::size_t birth = vertexOf[static_cast<std::size_t>(born[0])];
-      const std::size_t death = vertexOf[static_cast<std::size_t>(simplex[0])];
-      if (birth != death)
-      {
-        simplex.size() == 2 ? this->minima.emplace(birth, death)
-                            : this->maxima.emplace(death, birth);
-      }
+      const auto [extremum, saddle] =
+        dimension == 0 ? std::pair(pair.birth, pair.death) : std::pair(pair.death, pair.birth);
+      vertices.emplace(extremum.first, saddle.first);
     }
   }
-
-  VertexPairs minima;
-  VertexPairs maxima;
-};
+  return vertices;
+}
 
 VertexPairs verticesOf(const std::vector<PersistencePair>& pairs)
 {
@@ -134,30 +86,6 @@ TriangleMesh hemisphere(int levels)
   return half;
 }
 
-/// Glued to its mirror image along the boundary: images follow, that of a boundary vertex is
-/// itself.
-TriangleMesh mirrored(const TriangleMesh& mesh, std::vector<int>& images)
-{
-  int count = static_cast<int>(mesh.points.cols());
-  const std::vector<OrderedLink> links = orderedLinks(mesh);
-  for (std::size_t i = 0; i < links.size(); ++i)
-  {
-    images.push_back(links[i].isClosed ? count++ : static_cast<int>(i));
-  }
-  TriangleMesh result = mesh;
-  result.points.conservativeResize(3, count);
-  for (std::size_t i = 0; i < images.size(); ++i)
-  {
-    result.points.col(images[i]) = mesh.points.col(static_cast<Eigen::Index>(i));
-  }
-  for (const auto& [a, b, c] : mesh.triangles)
-  {
-    const auto image = [&](int vertex) { return images[static_cast<std::size_t>(vertex)]; };
-    result.triangles.push_back({ image(a), image(c), image(b) });
-  }
-  return result;
-}
-
 // On closed surfaces union-find finds the pairs of the reduction of the boundary matrix, from below
 // those of vertices and edges, from above those of edges and triangles.
 TEST(MeshPersistence, pairsAreThoseOfMatrixReduction)
@@ -169,11 +97,11 @@ TEST(MeshPersistence, pairsAreThoseOfMatrixReduction)
     {
       SCOPED_TRACE(named.name + (", " + name));
       const PersistencePairs pairs = persistencePairs(topology, values);
-      const ReducedPairs expected(named.mesh, values);
-      EXPECT_EQ(verticesOf(pairs.minima), expected.minima);
+      const ReducedPairs expected(topology.triangles(), values, Boundary::AsItIs);
+      EXPECT_EQ(verticesOf(pairs.minima), verticesOf(expected, 0));
       if (named.isClosed)
       {
-        EXPECT_EQ(verticesOf(pairs.maxima), expected.maxima);
+        EXPECT_EQ(verticesOf(pairs.maxima), verticesOf(expected, 1));
       }
       for (const PersistencePair& pair : pairs.maxima)
       {
@@ -257,61 +185,150 @@ TEST(MeshPersistence, removingPairsKeepsEulersSum)
   }
 }
 
-// With boundary, points have the larger persistence of their two images on the surface glued to its
-// mirror image; extrema that of their pairs on the surface itself. No saddle is in more pairs than
-// its multiplicity.
+/// Meshes with boundary.
+std::vector<TriangleMesh> openMeshes()
+{
+  std::vector<TriangleMesh> meshes{ hemisphere(3), gridMesh(Grid::Cylinder, 15, 6),
+    gridMesh(Grid::Moebius, 15, 6) };
+  for (const NamedMesh& named : meshesOfAllKinds())
+  {
+    if (!named.isClosed)
+    {
+      meshes.push_back(named.mesh);
+    }
+  }
+  return meshes;
+}
+
+const std::vector<CriticalType> Types{ CriticalType::Minimum, CriticalType::Saddle,
+  CriticalType::Maximum };
+
+/// Twice the sum of the indices, those of the boundary counted half.
+std::int64_t doubleIndexSum(const std::vector<CriticalPoint>& points, const MeshTopology& topology)
+{
+  return std::accumulate(points.begin(), points.end(), std::int64_t(0),
+    [&](std::int64_t sum, const CriticalPoint& point)
+    {
+      const bool isBoundary = topology.isBoundary(static_cast<Index>(point.input));
+      return sum + indexOf(point) * (isBoundary ? 1 : 2);
+    });
+}
+
+/// The sum of the indices of what either a vertex or its image keeps.
+/// @param persistences of both, by point
+int oneSided(const std::vector<CriticalPoint>& points,
+  const std::vector<std::vector<double>>& persistences, double threshold,
+  const MeshTopology& topology)
+{
+  int sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto isThere = std::count_if(persistences[i].begin(), persistences[i].end(),
+      [=](double persistence) { return persistence >= threshold; });
+    if (isThere % 2 != 0 && !topology.isBoundary(static_cast<Index>(points[i].input)))
+    {
+      sum += indexOf(points[i].type, 1);
+    }
+  }
+  return sum;
+}
+
+// With boundary, pairs are some of those of the reduction of the boundary matrix on the surface
+// glued to its mirror image. A threshold keeps what is persistent on either side, and nothing else.
 TEST(MeshPersistence, boundariesAreMirrors)
 {
-  for (const TriangleMesh& mesh :
-    { hemisphere(3), gridMesh(Grid::Cylinder, 15, 6), gridMesh(Grid::Moebius, 15, 6) })
+  for (const TriangleMesh& mesh : openMeshes())
   {
     const MeshTopology topology = topologyOf(mesh);
-    std::vector<int> images;
-    const TriangleMesh glued = mirrored(mesh, images);
-    for (unsigned seed = 1; seed <= 10; ++seed)
+    for (unsigned seed = 1; seed <= 3; ++seed)
     {
-      const Values values = randomValues(mesh, seed);
-      Values gluedValues(glued.points.cols());
-      for (std::size_t i = 0; i < images.size(); ++i)
+      for (const auto& [name, values] : meshFunctions(mesh, seed))
       {
-        gluedValues[static_cast<Eigen::Index>(i)] = gluedValues[images[i]] =
-          values[static_cast<Eigen::Index>(i)];
+        SCOPED_TRACE(name);
+        const TypedPairs expected =
+          typedPairs(ReducedPairs(topology.triangles(), values, Boundary::Mirrored).pairs, Types);
+        const MeshCriticalPoints found = meshCriticalPoints(mesh.points, topology, values);
+        const TypedPairs pairs = typedPairs(found);
+        EXPECT_TRUE(std::includes(expected.begin(), expected.end(), pairs.begin(), pairs.end()));
+        expectHalfOfGlued(found, expected, topology, values);
       }
-      const MeshCriticalPoints found = meshCriticalPoints(mesh.points, topology, values);
+    }
+  }
+}
+
+// The persistence of an extremum is that of its pair on the surface itself.
+TEST(MeshPersistence, extremaHaveThatOfTheSurfaceItself)
+{
+  for (const TriangleMesh& mesh : openMeshes())
+  {
+    const MeshTopology topology = topologyOf(mesh);
+    for (const auto& [name, values] : meshFunctions(mesh, 1))
+    {
       std::map<std::size_t, double> expected;
-      for (const CriticalPoint& point :
-        meshCriticalPoints(glued.points, topologyOf(glued), gluedValues).points)
-      {
-        expected[point.input] = point.persistence;
-      }
-      std::map<std::size_t, double> ofPairs;
       const PersistencePairs pairs = persistencePairs(topology, values);
       for (const auto* ofKind : { &pairs.minima, &pairs.maxima })
       {
         for (const PersistencePair& pair : *ofKind)
         {
-          ofPairs[pair.extremum] = pair.persistence;
+          expected[pair.extremum] = pair.persistence;
         }
       }
-      std::vector<int> left;
-      for (const CriticalPoint& point : found.points)
+      for (const CriticalPoint& point : meshCriticalPoints(mesh.points, topology, values).points)
       {
-        EXPECT_EQ(point.persistence,
-          std::max(
-            expected.at(point.input), expected.at(static_cast<std::size_t>(images[point.input]))));
-        if (point.type != CriticalType::Saddle)
+        const auto pair = expected.find(point.input);
+        if (point.type != CriticalType::Saddle && pair != expected.end())
         {
-          const auto pair = ofPairs.find(point.input);
-          EXPECT_EQ(point.persistence, pair == ofPairs.end() ? rangeOf(values) : pair->second);
+          EXPECT_EQ(point.persistence, pair->second);
         }
-        left.push_back(point.multiplicity);
-      }
-      for (const CriticalPair& pair : found.pairs)
-      {
-        EXPECT_GE(--left[pair.saddle], 0);
-        EXPECT_NE(found.points[pair.extremum].type, CriticalType::Saddle);
+        else if (point.type != CriticalType::Saddle)
+        {
+          EXPECT_EQ(point.persistence, rangeOf(values));
+        }
       }
     }
+  }
+}
+
+// Whatever the threshold, the sum of the indices, those of the boundary counted half, is Euler's
+// characteristic and half of the indices of what is kept on one side only. Where the boundary is
+// higher than all else, that is nothing, but for the global minimum.
+TEST(MeshPersistence, boundariesKeepEulersSumButForOneSidedPoints)
+{
+  for (const TriangleMesh& mesh : openMeshes())
+  {
+    const MeshTopology topology = topologyOf(mesh);
+    for (const auto& [name, values] : meshFunctions(mesh, 1))
+    {
+      SCOPED_TRACE(name);
+      const MeshCriticalPoints all = meshCriticalPoints(mesh.points, topology, values);
+      const TypedPairs glued =
+        typedPairs(ReducedPairs(topology.triangles(), values, Boundary::Mirrored).pairs, Types);
+      const std::vector<std::vector<double>> persistences =
+        gluedPersistences(all, glued, topology, values);
+      for (int step = 0; step <= 20; ++step)
+      {
+        const double threshold = rangeOf(values) * (step / 20.0);
+        std::vector<CriticalPoint> kept = all.points;
+        removeBelow(kept, all.pairs, threshold);
+        EXPECT_EQ(doubleIndexSum(kept, topology),
+          2 * topology.eulerCharacteristic() +
+            oneSided(all.points, persistences, threshold, topology));
+      }
+    }
+  }
+  const TriangleMesh bowl = hemisphere(4);
+  const MeshTopology topology = topologyOf(bowl);
+  Values values = randomValues(bowl, 1);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    values[i] = topology.isBoundary(static_cast<Index>(i)) ? 10.0 - bowl.points(0, i) : values[i];
+  }
+  const MeshCriticalPoints all = meshCriticalPoints(bowl.points, topology, values);
+  for (int step = 0; step <= 20; ++step)
+  {
+    std::vector<CriticalPoint> kept = all.points;
+    removeBelow(kept, all.pairs, 0.5 * rangeOf(values) * (step / 20.0));
+    EXPECT_EQ(doubleIndexSum(kept, topology), 2);
   }
 }
 

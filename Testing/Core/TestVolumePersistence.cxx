@@ -1,19 +1,16 @@
 #include "Error.h"
+#include "GluedPairs.h"
 #include "Meshes.h"
 #include "MeshlessApproximation.h"
 #include "VolumeCriticalPoints.h"
 #include "VolumeDomain.h"
 #include "VolumeExamples.h"
-#include "VolumeReduction.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -21,47 +18,6 @@ namespace SurfaceScalars::Truth
 {
 namespace
 {
-
-using TypedVertex = std::pair<CriticalType, Index>;
-using Pairs = std::multiset<std::pair<TypedVertex, TypedVertex>>; ///< saddles, and what they end
-
-/// For an image its vertex. A pair of saddles is one of each.
-Pairs pairsOf(const std::vector<VertexPair>& all)
-{
-  constexpr std::array types{ CriticalType::Minimum, CriticalType::Saddle, CriticalType::TwoSaddle,
-    CriticalType::Maximum };
-  Pairs pairs;
-  for (const auto& [dimension, birth, death] : all)
-  {
-    const TypedVertex first{ types[static_cast<std::size_t>(dimension)], birth.first };
-    const TypedVertex second{ types[static_cast<std::size_t>(dimension) + 1], death.first };
-    if (dimension > 0)
-    {
-      pairs.emplace(first, second);
-    }
-    if (dimension < 2)
-    {
-      pairs.emplace(second, first);
-    }
-  }
-  return pairs;
-}
-
-Pairs pairsOf(const MeshCriticalPoints& critical)
-{
-  const auto vertex = [&](std::size_t point) -> TypedVertex {
-    return { critical.points[point].type, static_cast<Index>(critical.points[point].input) };
-  };
-  Pairs pairs;
-  for (const CriticalPair& pair : critical.pairs)
-  {
-    const double difference =
-      critical.points[pair.saddle].value - critical.points[pair.extremum].value;
-    EXPECT_EQ(pair.persistence, std::abs(difference));
-    pairs.emplace(vertex(pair.saddle), vertex(pair.extremum));
-  }
-  return pairs;
-}
 
 /// A height with noise on it, noise alone, and few different values.
 std::vector<Values> functionsOn(const Volume& volume, unsigned seed)
@@ -73,86 +29,28 @@ std::vector<Values> functionsOn(const Volume& volume, unsigned seed)
     noise.unaryExpr([](double value) { return std::floor(value); }) };
 }
 
-/// Of the pairs of a vertex and its image, a saddle has the most persistent; one that nothing ends,
-/// so that the multiplicity says more than there are, counts before all others. A point has the
-/// persistence of the first, for which f's range stands if nothing ends it.
-void expectMostPersistent(const MeshCriticalPoints& found, const Pairs& all,
-  const VolumeTopology& topology, const Values& f)
-{
-  std::map<TypedVertex, std::vector<double>> expected;
-  for (const auto& [saddle, other] : all)
-  {
-    const double persistence = std::abs(f[saddle.second] - f[other.second]);
-    expected[saddle].push_back(persistence);
-    if (other.first == CriticalType::Minimum || other.first == CriticalType::Maximum)
-    {
-      expected[other].push_back(persistence);
-    }
-  }
-  std::vector<std::vector<double>> listed(found.points.size());
-  for (const CriticalPair& pair : found.pairs)
-  {
-    listed[pair.saddle].push_back(pair.persistence);
-  }
-  for (std::size_t i = 0; i < listed.size(); ++i)
-  {
-    const CriticalPoint& point = found.points[i];
-    const auto vertex = static_cast<Index>(point.input);
-    const auto multiplicity = static_cast<std::size_t>(point.multiplicity);
-    const std::size_t most =
-      topology.isClosed() || topology.isBoundary(vertex) ? multiplicity : 2 * multiplicity;
-    std::vector<double>& persistences = expected[{ point.type, vertex }];
-    ASSERT_LE(persistences.size(), most);
-    const auto never = static_cast<std::ptrdiff_t>(most - persistences.size());
-    persistences.resize(most, std::numeric_limits<double>::infinity());
-    std::sort(persistences.rbegin(), persistences.rend());
-    EXPECT_EQ(point.persistence, std::min(persistences[0], f.maxCoeff() - f.minCoeff()));
-    if (point.type == CriticalType::Saddle || point.type == CriticalType::TwoSaddle)
-    {
-      persistences.resize(multiplicity);
-      persistences.erase(persistences.begin(),
-        persistences.begin() + std::min<std::ptrdiff_t>(never, point.multiplicity));
-      std::sort(listed[i].rbegin(), listed[i].rend());
-      EXPECT_EQ(listed[i], persistences);
-    }
-  }
-}
-
 // The pairs of minima, saddles and maxima are those of the reduction of the boundary matrix on the
-// volume glued to its mirror image: in balls, shells, rings, parts and closed volumes, with ties.
+// volume glued to its mirror image: in balls, shells, rings, parts and closed volumes, with ties. A
+// threshold leaves out what is less persistent on both sides, and nothing else.
 TEST(VolumePersistence, pairsAreThoseOfMatrixReduction)
 {
+  const std::vector<CriticalType> types{ CriticalType::Minimum, CriticalType::Saddle,
+    CriticalType::TwoSaddle, CriticalType::Maximum };
   for (const NamedVolume& named : volumesOfAllKinds())
   {
     const VolumeTopology topology = topologyOf(named.volume);
     for (const Values& values : functionsOn(named.volume, 1))
     {
       SCOPED_TRACE(named.name);
-      const Pairs expected = pairsOf(ReducedPairs(named.volume, values).pairs);
+      const TypedPairs expected =
+        typedPairs(ReducedPairs(named.volume.tetrahedra, values, Boundary::Mirrored).pairs, types);
       const MeshCriticalPoints found =
         volumeCriticalPoints(named.volume.vertices, topology, values);
-      const Pairs pairs = pairsOf(found);
+      const TypedPairs pairs = typedPairs(found);
       EXPECT_TRUE(std::includes(expected.begin(), expected.end(), pairs.begin(), pairs.end()));
       EXPECT_TRUE(!named.isClosed || pairs == expected);
-      expectMostPersistent(found, expected, topology, values);
+      expectHalfOfGlued(found, expected, topology, values);
     }
-  }
-}
-
-// A threshold leaves out what is less persistent, and nothing else.
-TEST(VolumePersistence, thresholdKeepsWhatIsPersistent)
-{
-  const Volume block = blockVolume(10, 10, 10);
-  for (const Values& values : functionsOn(block, 2))
-  {
-    const MeshCriticalPoints all = volumeCriticalPoints(block.vertices, topologyOf(block), values);
-    const double threshold = 0.3 * (values.maxCoeff() - values.minCoeff());
-    std::vector<CriticalPoint> kept = all.points;
-    removeBelow(kept, all.pairs, threshold);
-    const auto expected = std::count_if(all.points.begin(), all.points.end(),
-      [=](const CriticalPoint& point) { return point.persistence >= threshold; });
-    EXPECT_EQ(static_cast<std::ptrdiff_t>(kept.size()), expected);
-    EXPECT_LT(kept.size(), all.points.size());
   }
 }
 

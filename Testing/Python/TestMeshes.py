@@ -1,5 +1,6 @@
 """Critical points and Morse complexes of functions on meshes through the plugin."""
 
+import os
 import unittest
 
 import numpy
@@ -58,6 +59,19 @@ class TestMeshes(unittest.TestCase):
         with_array = simple.MeshCriticalPoints(Input=self.torus, Model=servermanager.OutputPort(extend, 1))
         with_array.Model = None
         self.assertIsNone(support.fetch(with_array, 1).GetPointData().GetArray("Refined"))
+
+    def test_a_threshold_keeps_what_is_persistent_up_to_the_boundary(self):
+        for name, array in (("jacksboro.vtk", "Elevation"), ("ctcbay.vtk", "Depth")):
+            data = simple.OpenDataFile(os.path.join(os.environ["SURFACE_SCALARS_DATA"], name))
+            surface = simple.ExtractSurface(Input=data)
+            critical = simple.MeshCriticalPoints(Input=surface, ScalarArray=["POINTS", array])
+            persistence = support.point_array(support.fetch(critical, 1), "Persistence")
+            ids = support.point_array(support.fetch(critical, 1), "PointId")
+            values = support.point_array(support.fetch(critical), array).astype(float)
+            for threshold in (0.02, 0.1, 0.3):
+                critical.PersistenceThreshold = threshold
+                kept = support.point_array(support.fetch(critical, 1), "PointId")
+                self.assertEqual(list(kept), list(ids[persistence >= threshold * numpy.ptp(values)]))
 
     def test_arrays(self):
         critical = simple.MeshCriticalPoints(Input=self.noisy)
