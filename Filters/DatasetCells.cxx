@@ -1,10 +1,12 @@
 #include "DatasetCells.h"
 
 #include "ExplicitPoints.h"
+#include "GhostMarks.h"
 #include "Require.h"
 #include "SolidCells.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellTypes.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -93,25 +95,16 @@ FlatCells flatCellsOf(vtkDataSet* input, const Execution& execution)
     });
   flat.surface->SetPoints(points->GetPoints());
   flat.surface->SetPolys(polygons);
+  const GhostMarks marks = GhostMarks::ofCells(input);
+  const vtkNew<vtkUnsignedCharArray> ofParts;
+  ofParts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (const vtkIdType cell : flat.cells)
+  {
+    ofParts->InsertNextValue(marks.of(cell));
+  }
+  flat.surface->GetCellData()->AddArray(ofParts);
   flat.surface->GetPointData()->ShallowCopy(input->GetPointData());
   return flat;
-}
-
-std::vector<Eigen::Index> partsWithout(unsigned char mark, vtkDataSet* input,
-  const std::vector<vtkIdType>& cells, const std::string& wanted)
-{
-  vtkUnsignedCharArray* marks = input->GetCellGhostArray();
-  std::vector<Eigen::Index> parts;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    if (!marks || (marks->GetValue(cells[i]) & mark) == 0)
-    {
-      parts.push_back(static_cast<Eigen::Index>(i));
-    }
-  }
-  require(!parts.empty(), wanted, "none among " + std::to_string(input->GetNumberOfCells()),
-    "Check what is upstream.");
-  return parts;
 }
 
 } // namespace SurfaceScalars

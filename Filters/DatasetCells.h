@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <string>
 #include <vector>
 
 namespace SurfaceScalars
@@ -51,15 +50,7 @@ void forEachCell(vtkDataSet* input, const Execution& execution, const Visit& vis
   }
 }
 
-/// Which of these parts of cells are of cells without a mark.
-/// @param cells the one that each is of
-/// @param mark HIDDENCELL or DUPLICATECELL of vtkDataSetAttributes
-/// @param wanted what such cells are, for the sentence
-/// @throws InvalidInput if there are none
-std::vector<Eigen::Index> partsWithout(unsigned char mark, vtkDataSet* input,
-  const std::vector<vtkIdType>& cells, const std::string& wanted);
-
-/// The flat cells of a dataset as polydata, whose cells are parts of those.
+/// The flat cells of a dataset as polydata, whose cells are parts of those and marked as they are.
 struct FlatCells
 {
   vtkSmartPointer<vtkPolyData> surface = vtkSmartPointer<vtkPolyData>::New();

@@ -3,6 +3,7 @@
 #include "DatasetCells.h"
 #include "ExplicitPoints.h"
 #include "FilterRun.h"
+#include "GhostMarks.h"
 #include "PointSetInput.h"
 #include "Require.h"
 #include "ScalarChoice.h"
@@ -11,7 +12,6 @@
 #include "VolumeTopology.h"
 
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 
@@ -32,8 +32,7 @@ constexpr double CellShare = 0.6; // of the whole
 std::vector<vtkIdType> cellsOfKept(
   const MeshInput& mesh, vtkPolyData* surface, const Execution& execution)
 {
-  std::vector<vtkIdType> cellOf;
-  const Triangles all = trianglesOf(surface, execution, &cellOf);
+  const auto [all, cellOf, leftOut] = trianglesOf(surface, execution);
   const Triangles& kept = mesh.surface.triangles;
   const auto pointOf = [&](Index vertex)
   { return static_cast<Index>(mesh.surface.map.pointOfVertex[vertex]); };
@@ -74,8 +73,9 @@ DomainInput readFlatCells(FilterRun& run, const Execution& execution, vtkDataSet
 class TetrahedronReader
 {
 public:
-  TetrahedronReader(vtkIdType pointCount, const CellCounts& counts)
-    : pointCount_(pointCount)
+  TetrahedronReader(vtkDataSet* input, const CellCounts& counts)
+    : pointCount_(input->GetNumberOfPoints())
+    , leftOut_(input)
     , tetrahedra_(4, counts.tetrahedra)
   {
     this->cells_.reserve(static_cast<std::size_t>(counts.tetrahedra));
@@ -91,6 +91,10 @@ public:
         "cells whose corners are points 0 to " + std::to_string(this->pointCount_ - 1),
         "a corner " + std::to_string(corner), "Check what made this grid.");
     }
+    if (this->leftOut_.add(cell, corners->GetNumberOfIds(), corners->GetPointer(0)))
+    {
+      return;
+    }
     cutIntoTetrahedra(type, corners->GetPointer(0), this->pieces_);
     for (std::array<vtkIdType, 4> piece : this->pieces_)
     {
@@ -103,26 +107,32 @@ public:
         this->cells_.push_back(cell);
       }
     }
+    this->readCount_ += static_cast<Eigen::Index>(this->pieces_.size());
   }
 
   /// Hands over what was read. What has a corner twice is counted in a note.
-  void finish(FilterRun& run, DomainInput& domain)
+  /// @returns the points that nobody misses
+  std::vector<char> finish(FilterRun& run, DomainInput& domain)
   {
-    const Eigen::Index total = this->tetrahedra_.cols();
     const auto count = static_cast<Eigen::Index>(this->cells_.size());
-    if (count < total)
+    require(this->readCount_ > 0, "cells that are not hidden", "none", "Check what is upstream.");
+    if (count < this->readCount_)
     {
-      this->tetrahedra_.conservativeResize(4, count);
-      run.note(std::to_string(total - count) + " of " + std::to_string(total) +
+      run.note(std::to_string(this->readCount_ - count) + " of " +
+        std::to_string(this->readCount_) +
         " tetrahedra have the same corner twice and are ignored.");
     }
+    this->tetrahedra_.conservativeResize(4, count);
     domain.tetrahedra = std::move(this->tetrahedra_);
     domain.cells = std::move(this->cells_);
+    return pointsLeftOut(this->leftOut_.corners(), domain.tetrahedra);
   }
 
 private:
   vtkIdType pointCount_;
+  LeftOutCells leftOut_;
   Tetrahedra tetrahedra_;
+  Eigen::Index readCount_ = 0;
   std::vector<vtkIdType> cells_;
   std::vector<std::array<vtkIdType, 4>> pieces_; ///< of one cell
 };
@@ -138,11 +148,12 @@ void checkSize(const CellCounts& counts, vtkIdType pointCount)
 }
 
 /// Drops the tetrahedra around points without a finite position or value.
+/// @param leftOut points that nobody misses
 /// @returns how many points these are
-Eigen::Index dropMissing(
-  FilterRun& run, const Points& points, const Values& values, DomainInput& domain)
+Eigen::Index dropMissing(FilterRun& run, const Points& points, const Values& values,
+  const std::vector<char>& leftOut, DomainInput& domain)
 {
-  const std::vector<char> missing = missingPoints(points, values);
+  const std::vector<char> missing = missingPoints(points, values, leftOut);
   const Eigen::Index missingCount = std::count(missing.begin(), missing.end(), 1);
   if (missingCount == 0)
   {
@@ -177,7 +188,7 @@ DomainInput readSolidCells(
   const vtkSmartPointer<vtkPointSet> pointSet = withExplicitPoints(input);
   const ScalarChoice choice = chooseScalars(run.filter(), { pointSet });
   DomainInput domain;
-  TetrahedronReader reader(input->GetNumberOfPoints(), counts);
+  TetrahedronReader reader(input, counts);
   forEachCell(input, execution.part(0.0, CellShare),
     [&](vtkIdType cell, int type, vtkIdList* corners)
     {
@@ -186,49 +197,20 @@ DomainInput readSolidCells(
         reader.add(cell, type, corners);
       }
     });
-  reader.finish(run, domain);
+  const std::vector<char> leftOut = reader.finish(run, domain);
   const Points points = readPoints(pointSet->GetPoints(), execution.part(CellShare, 0.8));
   Values values(points.cols());
   copyNumbers(choice.arrays.front(), values.data(), execution.part(0.8, 0.9));
-  const Eigen::Index missing = dropMissing(run, points, values, domain);
+  const Eigen::Index missing = dropMissing(run, points, values, leftOut, domain);
   domain.mesh.surface.map = allPoints(points.cols());
   VertexMap& map = domain.mesh.surface.map;
   keepCorners(domain.tetrahedra, map);
-  noteOutside(run, map, missing, "tetrahedron");
+  noteOutside(run, map, missing + std::count(leftOut.begin(), leftOut.end(), 1), "tetrahedron");
   domain.mesh.surface.vertices = points(Eigen::all, map.pointOfVertex);
   domain.mesh.values = values(map.pointOfVertex);
   domain.mesh.valueName = choice.name;
   execution.report(1.0);
   return domain;
-}
-
-/// Drops the simplices of hidden cells, and the vertices that are in no others.
-template <class Simplices>
-void dropHidden(vtkDataSet* input, DomainInput& domain, Simplices& simplices)
-{
-  const std::vector<Eigen::Index> kept = partsWithout(
-    vtkDataSetAttributes::HIDDENCELL, input, domain.cells, "cells that are not hidden");
-  if (kept.size() == domain.cells.size())
-  {
-    return;
-  }
-  simplices = Simplices(simplices(Eigen::all, kept));
-  std::transform(kept.begin(), kept.end(), domain.cells.begin(),
-    [&](Eigen::Index i) { return domain.cells[static_cast<std::size_t>(i)]; });
-  domain.cells.resize(kept.size());
-
-  VertexMap& map = domain.mesh.surface.map;
-  VertexMap among = allPoints(domain.vertices().cols());
-  keepCorners(simplices, among);
-  for (Index& vertex : map.vertexOfPoint)
-  {
-    vertex = vertex == VertexMap::None ? vertex : among.vertexOfPoint[vertex];
-  }
-  std::transform(among.pointOfVertex.begin(), among.pointOfVertex.end(), map.pointOfVertex.begin(),
-    [&](vtkIdType vertex) { return map.pointOfVertex[static_cast<std::size_t>(vertex)]; });
-  map.pointOfVertex.resize(among.pointOfVertex.size());
-  domain.mesh.surface.vertices = Points(domain.vertices()(Eigen::all, among.pointOfVertex));
-  domain.mesh.values = Values(domain.mesh.values(among.pointOfVertex));
 }
 
 void noteIgnored(FilterRun& run, vtkIdType ignored, vtkIdType total, const std::string& cells)
@@ -240,8 +222,12 @@ void noteIgnored(FilterRun& run, vtkIdType ignored, vtkIdType total, const std::
   }
 }
 
-DomainInput readCells(FilterRun& run, const Execution& execution, vtkDataSet* input)
+} // namespace
+
+DomainInput readDomain(FilterRun& run, const Execution& execution, vtkDataSet* input)
 {
+  require(input && input->GetNumberOfPoints() > 0, "a surface or volume", "no points",
+    "Check what is upstream.");
   if (auto* surface = vtkPolyData::SafeDownCast(input))
   {
     return readPolyData(run, execution, surface);
@@ -259,24 +245,6 @@ DomainInput readCells(FilterRun& run, const Execution& execution, vtkDataSet* in
   }
   noteIgnored(run, counts.flat + counts.other, total, "flat, lines or vertices");
   return readSolidCells(run, execution, input, counts);
-}
-
-} // namespace
-
-DomainInput readDomain(FilterRun& run, const Execution& execution, vtkDataSet* input)
-{
-  require(input && input->GetNumberOfPoints() > 0, "a surface or volume", "no points",
-    "Check what is upstream.");
-  DomainInput domain = readCells(run, execution, input);
-  if (domain.isVolume())
-  {
-    dropHidden(input, domain, domain.tetrahedra);
-  }
-  else
-  {
-    dropHidden(input, domain, domain.mesh.surface.triangles);
-  }
-  return domain;
 }
 
 } // namespace SurfaceScalars

@@ -1,12 +1,14 @@
 #include "MeshInput.h"
 
 #include "FilterRun.h"
+#include "GhostMarks.h"
 #include "PointSetInput.h"
 #include "Require.h"
 #include "ScalarChoice.h"
 #include "SurfaceTriangles.h"
 #include "TriangleSelection.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
@@ -37,18 +39,25 @@ void noteOtherCells(FilterRun& run, vtkPolyData* input)
 }
 
 /// @param input null: a block of a composite dataset is of another type
+/// @param marks of cells to be left out
 /// @throws InvalidInput if there are none
-Triangles readTriangles(FilterRun& run, const Execution& execution, vtkPolyData* input)
+SurfaceCells readTriangles(FilterRun& run, const Execution& execution, vtkPolyData* input,
+  unsigned char marks = vtkDataSetAttributes::HIDDENCELL)
 {
   require(input != nullptr, "blocks that are polydata", "one of another type",
     "Apply Extract Surface first.");
-  Triangles triangles = trianglesOf(input, execution);
-  require(triangles.cols() > 0, "a mesh of triangles, quads or strips",
+  SurfaceCells read = trianglesOf(input, execution, marks);
+  require(read.triangles.cols() > 0 || read.leftOut.empty(),
+    (marks & vtkDataSetAttributes::DUPLICATECELL) == 0
+      ? "cells that are not hidden"
+      : "cells that are neither hidden nor duplicates of another piece's",
+    "none among " + std::to_string(input->GetNumberOfCells()), "Check what is upstream.");
+  require(read.triangles.cols() > 0, "a mesh of triangles, quads or strips",
     "no triangle among " + std::to_string(input->GetNumberOfCells()) + " cells",
     "Use Fuzzy Critical Points, Point Set Contour or another point-set filter for points without "
     "a mesh, or apply Extract Surface to a mesh of another type.");
   noteOtherCells(run, input);
-  return triangles;
+  return read;
 }
 
 /// Drops the triangles that have the same corner twice, which are edges.
@@ -72,20 +81,20 @@ void dropEdges(FilterRun& run, Triangles& triangles)
   }
 }
 
-/// Cuts out the triangles around points without a finite position or value.
-/// @param values empty if there are none
-/// @returns how many points these are
-Eigen::Index dropMissing(
-  FilterRun& run, const Points& points, const Values& values, Triangles& triangles)
+/// Cuts out the triangles around some points.
+/// @param torn points around which some are gone already
+void dropMissing(FilterRun& run, const std::vector<char>& missing, bool hasValues,
+  const std::vector<char>& torn, Triangles& triangles)
 {
-  const bool hasValues = values.size() > 0;
-  const std::vector<char> missing = missingPoints(points, values);
   const Eigen::Index count = std::count(missing.begin(), missing.end(), 1);
+  const Eigen::Index total = triangles.cols();
+  if (count > 0 || !torn.empty())
+  {
+    triangles = trianglesWithout(triangles, missing, torn);
+  }
   if (count > 0)
   {
-    const Eigen::Index total = triangles.cols();
-    triangles = trianglesWithout(triangles, missing);
-    run.note("Left out " + std::to_string(count) + " of " + std::to_string(points.cols()) +
+    run.note("Left out " + std::to_string(count) + " of " + std::to_string(missing.size()) +
       " points whose position" + (hasValues ? " or value" : "") + " is NaN or infinite, with " +
       std::to_string(total - triangles.cols()) + " of " + std::to_string(total) +
       " triangles: the mesh has holes there.");
@@ -94,17 +103,36 @@ Eigen::Index dropMissing(
     std::string("triangles between points with a finite position") +
       (hasValues ? " and value" : ""),
     "none", hasValues ? "Choose another array or another input." : "Choose another input.");
-  return count;
 }
 
-/// What is left of the triangles between points. @param values empty if there are none
-MeshedSurface usableSurface(
-  FilterRun& run, const Points& points, const Values& values, Triangles triangles)
+enum class Fans
 {
-  dropEdges(run, triangles);
-  const Eigen::Index missing = dropMissing(run, points, values, triangles);
-  MeshedSurface surface = surfaceOf(points, std::move(triangles), allPoints(points.cols()));
-  noteOutside(run, surface.map, missing);
+  One, ///< of each vertex the largest
+  All
+};
+
+/// What is left of the triangles between points. @param values empty if there are none
+MeshedSurface usableSurface(FilterRun& run, const Points& points, const Values& values,
+  SurfaceCells read, Fans fans = Fans::One)
+{
+  dropEdges(run, read.triangles);
+  const std::vector<char> leftOut = pointsLeftOut(read.leftOut, read.triangles);
+  const std::vector<char> missing = missingPoints(points, values, leftOut);
+  dropMissing(run, missing, values.size() > 0,
+    fans == Fans::One ? read.leftOut : std::vector<char>(), read.triangles);
+  MeshedSurface surface = surfaceOf(points, std::move(read.triangles), allPoints(points.cols()));
+  noteOutside(run, surface.map,
+    std::count(missing.begin(), missing.end(), 1) + std::count(leftOut.begin(), leftOut.end(), 1));
+  return surface;
+}
+
+/// @param read with the share TriangleShare of the execution
+MeshedSurface surfaceWithoutValues(
+  FilterRun& run, const Execution& execution, vtkPolyData* input, SurfaceCells read, Fans fans)
+{
+  const Points points = readPoints(input->GetPoints(), execution.part(TriangleShare, PointShare));
+  MeshedSurface surface = usableSurface(run, points, {}, std::move(read), fans);
+  execution.report(1.0);
   return surface;
 }
 
@@ -130,27 +158,29 @@ std::vector<Index> boundaryByPlace(const Points& places, const MeshTopology& top
 
 } // namespace
 
-std::vector<char> missingPoints(const Points& points, const Values& values)
+std::vector<char> missingPoints(
+  const Points& points, const Values& values, const std::vector<char>& leftOut)
 {
   std::vector<char> missing(static_cast<std::size_t>(points.cols()));
   for (Eigen::Index i = 0; i < points.cols(); ++i)
   {
-    missing[static_cast<std::size_t>(i)] =
-      (values.size() > 0 && !std::isfinite(values(i))) || !points.col(i).allFinite();
+    const auto place = static_cast<std::size_t>(i);
+    missing[place] = (leftOut.empty() || leftOut[place] == 0) &&
+      ((values.size() > 0 && !std::isfinite(values(i))) || !points.col(i).allFinite());
   }
   return missing;
 }
 
 MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* input)
 {
-  Triangles triangles = readTriangles(run, execution.part(0.0, TriangleShare), input);
+  SurfaceCells read = readTriangles(run, execution.part(0.0, TriangleShare), input);
   const ScalarChoice choice = chooseScalars(run.filter(), { input });
   const Points points = readPoints(input->GetPoints(), execution.part(TriangleShare, PointShare));
   Values values(points.cols());
   copyNumbers(choice.arrays.front(), values.data(), execution.part(PointShare, ValueShare));
 
   MeshInput mesh;
-  mesh.surface = usableSurface(run, points, values, std::move(triangles));
+  mesh.surface = usableSurface(run, points, values, std::move(read));
   mesh.values = values(mesh.surface.map.pointOfVertex);
   mesh.valueName = choice.name;
   execution.report(1.0);
@@ -160,12 +190,12 @@ MeshInput readMesh(FilterRun& run, const Execution& execution, vtkPolyData* inpu
 MeshInput readMesh(
   FilterRun& run, const Execution& execution, vtkPolyData* input, const PlaceFunction& function)
 {
-  Triangles triangles = readTriangles(run, execution.part(0.0, EvaluationShare), input);
+  SurfaceCells read = readTriangles(run, execution.part(0.0, EvaluationShare), input);
   const Points points = readPoints(input->GetPoints(), {});
   const Values values = function.values(points, execution.part(EvaluationShare, 1.0));
 
   MeshInput mesh;
-  mesh.surface = usableSurface(run, points, values, std::move(triangles));
+  mesh.surface = usableSurface(run, points, values, std::move(read));
   mesh.values = values(mesh.surface.map.pointOfVertex);
   mesh.valueName = function.name;
   return mesh;
@@ -173,11 +203,16 @@ MeshInput readMesh(
 
 MeshedSurface readSurface(FilterRun& run, const Execution& execution, vtkPolyData* input)
 {
-  Triangles triangles = readTriangles(run, execution.part(0.0, TriangleShare), input);
-  const Points points = readPoints(input->GetPoints(), execution.part(TriangleShare, PointShare));
-  MeshedSurface surface = usableSurface(run, points, {}, std::move(triangles));
-  execution.report(1.0);
-  return surface;
+  return surfaceWithoutValues(run, execution, input,
+    readTriangles(run, execution.part(0.0, TriangleShare), input), Fans::One);
+}
+
+MeshedSurface readOwnSurface(FilterRun& run, const Execution& execution, vtkPolyData* input)
+{
+  constexpr unsigned char marks =
+    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL;
+  return surfaceWithoutValues(run, execution, input,
+    readTriangles(run, execution.part(0.0, TriangleShare), input, marks), Fans::All);
 }
 
 void noteSeams(

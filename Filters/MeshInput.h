@@ -24,7 +24,8 @@ struct MeshInput
 /**
  * Reads the triangles, quads, polygons and strips of polydata and the array chosen by
  * SetInputArrayToProcess(0, ...). Connectivity decides which triangles are neighbors; points at one
- * place remain several vertices.
+ * place remain several vertices. Cells that are hidden, or have a hidden point (vtkGhostType), are
+ * no part of the mesh; duplicates of another piece's are.
  *
  * Notes say how much was left out: vertices and lines; triangles with the same corner twice; points
  * without a finite position or value, with their triangles (where such holes meet at a point, it
@@ -49,8 +50,13 @@ MeshInput readMesh(
 /// The same without a function: reads the triangles only.
 MeshedSurface readSurface(FilterRun& run, const Execution& execution, vtkPolyData* input);
 
+/// For what needs no manifold: without duplicates of another piece's cells, and with all fans.
+MeshedSurface readOwnSurface(FilterRun& run, const Execution& execution, vtkPolyData* input);
+
 /// Not 0 for those without a finite position or value. @param values empty if there are none
-std::vector<char> missingPoints(const Points& points, const Values& values);
+/// @param leftOut not 0 for points that nobody misses; empty if there are none
+std::vector<char> missingPoints(
+  const Points& points, const Values& values, const std::vector<char>& leftOut);
 
 /// Counts the vertices on the boundary that are at the place of another one in a note: where the
 /// mesh may be torn by mistake.

@@ -26,8 +26,7 @@ namespace
 /// input, and kept their order.
 std::vector<vtkIdType> cellsOf(vtkPolyData* input, const MeshedSurface& surface)
 {
-  std::vector<vtkIdType> cells;
-  const Triangles all = trianglesOf(input, {}, &cells);
+  const auto [all, cells, leftOut] = trianglesOf(input, {});
   std::vector<vtkIdType> result;
   for (Eigen::Index next = 0; next < all.cols(); ++next)
   {

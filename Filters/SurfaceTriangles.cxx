@@ -1,5 +1,6 @@
 #include "SurfaceTriangles.h"
 
+#include "GhostMarks.h"
 #include "Require.h"
 
 #include "vtkCellArray.h"
@@ -125,33 +126,32 @@ private:
 
 } // namespace
 
-Triangles trianglesOf(
-  vtkPolyData* surface, const Execution& execution, std::vector<vtkIdType>* cells)
+SurfaceCells trianglesOf(vtkPolyData* surface, const Execution& execution, unsigned char marks)
 {
-  const vtkIdType pointCount = surface->GetNumberOfPoints();
+  SurfaceCells result;
   TriangleList list(surface->GetPoints());
+  LeftOutCells leftOut(surface, marks);
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  const auto endCell = [&]()
+  const auto addAll = [&](vtkCellArray* cells, const Execution& ofCells, const auto& add)
   {
-    if (cells)
-    {
-      cells->resize(list.size(), cell);
-    }
-    ++cell;
+    forEachCell(cells, surface->GetNumberOfPoints(), ofCells,
+      [&](vtkIdType size, const vtkIdType* ids)
+      {
+        if (!leftOut.add(cell, size, ids))
+        {
+          add(size, ids);
+          result.cells.resize(list.size(), cell);
+        }
+        ++cell;
+      });
   };
-  forEachCell(surface->GetPolys(), pointCount, execution.part(0.0, 0.5),
-    [&](vtkIdType size, const vtkIdType* ids)
-    {
-      list.addPolygon(size, ids);
-      endCell();
-    });
-  forEachCell(surface->GetStrips(), pointCount, execution.part(0.5, 1.0),
-    [&](vtkIdType size, const vtkIdType* ids)
-    {
-      list.addStrip(size, ids);
-      endCell();
-    });
-  return list.result();
+  addAll(surface->GetPolys(), execution.part(0.0, 0.5),
+    [&](vtkIdType size, const vtkIdType* ids) { list.addPolygon(size, ids); });
+  addAll(surface->GetStrips(), execution.part(0.5, 1.0),
+    [&](vtkIdType size, const vtkIdType* ids) { list.addStrip(size, ids); });
+  result.triangles = list.result();
+  result.leftOut = leftOut.corners();
+  return result;
 }
 
 } // namespace SurfaceScalars

@@ -145,7 +145,8 @@ MeshedSurface meshedSurface(const Points& points, vtkPolyData* surface, const Ex
   const Finite finite = finiteAmong(points);
   VertexMap map =
     vertexMap(PointCloud(finite.points, execution.part(0.0, mapShare)), finite.ids, points.cols());
-  Triangles triangles = betweenVertices(trianglesOf(surface, execution.part(mapShare, 1.0)), map);
+  Triangles triangles =
+    betweenVertices(trianglesOf(surface, execution.part(mapShare, 1.0)).triangles, map);
   if (triangles.cols() == 0)
   {
     throw InvalidInput("a mesh of triangles, quads or strips for these Weights",

@@ -1,9 +1,9 @@
 #include "vtkLevelSetDistribution.h"
 
-#include "DatasetCells.h"
 #include "DomainInput.h"
 #include "FieldTarget.h"
 #include "FilterRun.h"
+#include "GhostMarks.h"
 #include "LevelSetOutput.h"
 #include "PropertyChoice.h"
 #include "Require.h"
@@ -64,8 +64,17 @@ LevelSetCoverage coverageOf(
 {
   const SimplicesRef simplices = domain.isVolume() ? SimplicesRef(domain.tetrahedra)
                                                    : SimplicesRef(domain.mesh.surface.triangles);
-  const std::vector<Eigen::Index> own = partsWithout(vtkDataSetAttributes::DUPLICATECELL, input,
-    domain.cells, "cells that are no duplicates of another piece's");
+  const GhostMarks marks = GhostMarks::ofCells(input);
+  std::vector<Eigen::Index> own;
+  for (std::size_t i = 0; i < domain.cells.size(); ++i)
+  {
+    if (!marks.have(domain.cells[i], vtkDataSetAttributes::DUPLICATECELL))
+    {
+      own.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  require(!own.empty(), "cells that are no duplicates of another piece's",
+    "none among " + std::to_string(input->GetNumberOfCells()), "Check what is upstream.");
   const Values& values = domain.mesh.values;
   if (own.size() == domain.cells.size())
   {

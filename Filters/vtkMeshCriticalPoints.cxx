@@ -2,6 +2,7 @@
 
 #include "CriticalPointOutput.h"
 #include "FilterRun.h"
+#include "GhostMarks.h"
 #include "MeshInput.h"
 #include "MeshOutput.h"
 #include "ModelOnMesh.h"
@@ -9,6 +10,7 @@
 #include "PropertyChoice.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -65,7 +67,7 @@ std::vector<double> curveThresholds()
 struct Found
 {
   MeshCriticalPoints critical;
-  SimplificationCurve curve; ///< of all
+  SimplificationCurve curve; ///< of all but those that another piece lists
 };
 
 std::size_t vertexOf(const CriticalPoint& point)
@@ -105,8 +107,52 @@ std::vector<CriticalPair> pairsAmong(
   return pairs;
 }
 
+/// Which vertices another piece of the mesh lists.
+class OtherVertices
+{
+public:
+  OtherVertices(vtkPolyData* input, const VertexMap& map)
+    : marks_(GhostMarks::ofPoints(input))
+    , map_(map)
+  {
+  }
+
+  template <class Point>
+  bool have(const Point& point) const
+  {
+    return this->marks_.have(
+      this->map_.pointOfVertex[vertexOf(point)], vtkDataSetAttributes::DUPLICATEPOINT);
+  }
+
+  template <class Point>
+  void removeFrom(std::vector<Point>& points) const
+  {
+    points.erase(std::remove_if(points.begin(), points.end(),
+                   [this](const Point& point) { return this->have(point); }),
+      points.end());
+  }
+
+  /// Lets them count nothing.
+  MeshCriticalPoints without(MeshCriticalPoints all) const
+  {
+    all.pairs.erase(
+      std::remove_if(all.pairs.begin(), all.pairs.end(),
+        [&](const CriticalPair& pair) { return this->have(all.points[pair.saddle]); }),
+      all.pairs.end());
+    for (CriticalPoint& point : all.points)
+    {
+      point.multiplicity = this->have(point) ? 0 : point.multiplicity;
+    }
+    return all;
+  }
+
+private:
+  GhostMarks marks_;
+  const VertexMap& map_;
+};
+
 Found findCriticalPoints(vtkMeshCriticalPoints& filter, const MeshInput& mesh,
-  const MeshTopology& topology, const Execution& execution)
+  const OtherVertices& others, const MeshTopology& topology, const Execution& execution)
 {
   const VertexTypes types = classifyVertices(topology, mesh.values, execution.part(0.0, TypeShare));
   const Values deltas =
@@ -117,7 +163,7 @@ Found findCriticalPoints(vtkMeshCriticalPoints& filter, const MeshInput& mesh,
   const double persistence = filter.GetPersistenceThreshold() * range;
 
   Found found;
-  found.curve = simplificationCurve(all, deltas, range, curveThresholds());
+  found.curve = simplificationCurve(others.without(all), deltas, range, curveThresholds());
   found.critical.points = all.points;
   removeBelow(found.critical.points, all.pairs, persistence);
   removeUpToDelta(found.critical.points, deltas, filter.GetDelta() * range);
@@ -137,10 +183,11 @@ std::string writeValues(const FilterRun& run, const MeshInput& mesh, vtkPolyData
 
 /// Ports 1 and 2, and the field data of ports 0 and 1.
 void writeRefined(FilterRun& run, ModelCriticalPoints refined, const NamedField& model,
-  const MeshInput& mesh, const MeshTopology& topology, const MeshCriticalPoints& candidates,
-  vtkInformationVector* outputs)
+  const MeshInput& mesh, const OtherVertices& others, const MeshTopology& topology,
+  const MeshCriticalPoints& candidates, vtkInformationVector* outputs)
 {
   writeRefinement(run, refined, candidates.points.size(), model.field, topology, outputs);
+  others.removeFrom(refined.points);
   const std::vector<CriticalPair> pairs = pairsAmong(refined.points, candidates, 0.0);
   std::vector<CriticalPoint> places;
   for (ModelCriticalPoint& point : refined.points)
@@ -214,8 +261,9 @@ int vtkMeshCriticalPoints::RequestData(
                                    : readMesh(run, reading, input);
       const MeshTopology topology =
         topologyOf(run, mesh, execution.part(shares.read, shares.topology));
-      const Found found =
-        findCriticalPoints(*this, mesh, topology, execution.part(shares.topology, shares.vertices));
+      const OtherVertices others(input, mesh.surface.map);
+      const Found found = findCriticalPoints(
+        *this, mesh, others, topology, execution.part(shares.topology, shares.vertices));
 
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       output->ShallowCopy(input);
@@ -227,14 +275,19 @@ int vtkMeshCriticalPoints::RequestData(
         writeTypes(marked, mesh.surface.map, name, run, output);
         ModelCriticalPoints refined = refineOnModel(mesh.surface.vertices, topology, mesh.values,
           model->field, found.critical, execution.part(shares.vertices, 1.0));
-        writeRefined(run, std::move(refined), *model, mesh, topology, found.critical, outputs);
+        writeRefined(
+          run, std::move(refined), *model, mesh, others, topology, found.critical, outputs);
       }
       else
       {
         writeTypes(marked, mesh.surface.map, mesh.valueName, run, output);
-        writeCriticalPoints(marked, vtkPolyData::GetData(outputs, 1));
-        writeSummary(run, marked, topology, outputs);
-        writePairs(marked, found.critical.pairs, vtkPolyData::GetData(outputs, 2));
+        std::vector<CriticalPoint> listed = found.critical.points;
+        others.removeFrom(listed);
+        const std::vector<CriticalPair> pairs = pairsAmong(listed, found.critical, 0.0);
+        listed = namedByPoints(std::move(listed), mesh.surface.map);
+        writeCriticalPoints(listed, vtkPolyData::GetData(outputs, 1));
+        writeSummary(run, listed, topology, outputs);
+        writePairs(listed, pairs, vtkPolyData::GetData(outputs, 2));
       }
       writeSimplification(found.curve, vtkTable::GetData(outputs, TablePort));
     });

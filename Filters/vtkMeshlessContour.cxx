@@ -164,7 +164,7 @@ int vtkMeshlessContour::RequestData(
         parameters.isoValues = { 0.5 * named.model.lowest + 0.5 * named.model.highest };
       }
       const Execution& execution = run.execution();
-      const MeshedSurface surface = readSurface(run, execution.part(0.0, ReadShare), input);
+      const MeshedSurface surface = readOwnSurface(run, execution.part(0.0, ReadShare), input);
       const Field field(std::move(named.model), execution.part(ReadShare, ModelShare));
       const MeshlessContours contours = traceMeshlessContours(
         field, surface.vertices, surface.triangles, parameters, execution.part(ModelShare, 1.0));

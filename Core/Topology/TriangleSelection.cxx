@@ -59,6 +59,8 @@ public:
       [this](Eigen::Index triangle) { this->remove(triangle); });
   }
 
+  void touch(Index vertex) { this->touched_.push_back(vertex); }
+
   void repair()
   {
     while (!this->touched_.empty())
@@ -163,7 +165,8 @@ private:
 
 } // namespace
 
-Triangles trianglesWithout(const Triangles& triangles, const std::vector<char>& leftOut)
+Triangles trianglesWithout(
+  const Triangles& triangles, const std::vector<char>& leftOut, const std::vector<char>& torn)
 {
   HoleCutter cutter(triangles, leftOut.size());
   for (std::size_t vertex = 0; vertex < leftOut.size(); ++vertex)
@@ -171,6 +174,13 @@ Triangles trianglesWithout(const Triangles& triangles, const std::vector<char>& 
     if (leftOut[vertex])
     {
       cutter.removeStar(static_cast<Index>(vertex));
+    }
+  }
+  for (std::size_t vertex = 0; vertex < torn.size(); ++vertex)
+  {
+    if (torn[vertex])
+    {
+      cutter.touch(static_cast<Index>(vertex));
     }
   }
   cutter.repair();

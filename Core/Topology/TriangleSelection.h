@@ -16,8 +16,9 @@ namespace SurfaceScalars
  * Time O(n) for meshes with bounded numbers of triangles around a vertex.
  *
  * @param leftOut nonzero for the vertices to be left out; corners of triangles are below its size
+ * @param torn nonzero for vertices around which triangles are gone already; empty for none
  */
 SURFACESCALARSCORE_EXPORT Triangles trianglesWithout(
-  const Triangles& triangles, const std::vector<char>& leftOut);
+  const Triangles& triangles, const std::vector<char>& leftOut, const std::vector<char>& torn = {});
 
 } // namespace SurfaceScalars
