@@ -16,7 +16,8 @@ constexpr std::size_t MostCenters = 3;     // in a ball in which u is smooth
 constexpr double RoundingFraction = 1e-13; // of the largest value
 constexpr double TermRounding = 1e-15;     // of the sum of all terms' sizes
 
-/// The radius of balls in which a term is as smooth as its Hessian says.
+/// The radius of balls in which a term is as smooth as its Hessian says. With those of compact
+/// support, a ball of this radius at the end is where their slope is monotone.
 double smoothRadiusOf(const FieldParameters& parameters)
 {
   const double always = std::numeric_limits<double>::infinity();
@@ -30,6 +31,9 @@ double smoothRadiusOf(const FieldParameters& parameters)
     case KernelType::Linear:
     case KernelType::ThinPlate:
       return 0.0;
+    case KernelType::Wendland:
+    case KernelType::Wu:
+      return parameters.kernelWidth / 3.0;
     default:
       return RadialKernel(parameters.kernel, 1.0).dependsOnWidth() ? 0.5 * parameters.kernelWidth
                                                                    : always;
@@ -57,6 +61,7 @@ LevelBound::LevelBound(const Field& field)
   , kernel_(field.model().parameters.kernel,
       field.model().parameters.kernelWidth > 0.0 ? field.model().parameters.kernelWidth : 1.0)
   , isJumping_(field.model().parameters.scheme != Scheme::GlobalRBF)
+  , support_(this->isJumping_ ? std::numeric_limits<double>::infinity() : this->kernel_.support())
   , smoothRadius_(smoothRadiusOf(field.model().parameters))
 {
   const FieldModel& model = field.model();
@@ -70,20 +75,33 @@ bool LevelBound::isSmall(const Ball& ball) const
   return this->field_.cloud().tree().gather(ball.center, ball.radius, MostCenters, found);
 }
 
-/// How much the terms of centers within twice the radius vary in the ball.
-double LevelBound::variationNearby(const Ball& ball) const
+UnseenTerms LevelBound::unseen(const Ball& ball) const
 {
+  const bool isRough = ball.radius > this->smoothRadius_;
+  const bool isCompact = std::isfinite(this->support_);
+  UnseenTerms result;
+  if (!isRough && !isCompact)
+  {
+    return result;
+  }
   Neighborhood near;
-  this->field_.cloud().within(ball.center, 2.0 * ball.radius, near);
-  double sum = 0.0;
+  this->field_.cloud().within(
+    ball.center, ball.radius + (isCompact ? this->support_ : ball.radius), near);
   for (std::size_t i = 0; i < near.indices.size(); ++i)
   {
     const double distance = std::sqrt(near.squaredDistances[i]);
-    const double least = this->kernel_.value(std::max(0.0, distance - ball.radius));
-    const double most = this->kernel_.value(distance + ball.radius);
-    sum += std::abs(this->field_.model().coefficients[near.indices[i]] * (most - least));
+    if (!isRough && distance + ball.radius <= this->support_)
+    {
+      continue;
+    }
+    const double least = std::max(0.0, distance - ball.radius);
+    const double size = std::abs(this->field_.model().coefficients[near.indices[i]]);
+    result.value +=
+      size * std::abs(this->kernel_.value(distance + ball.radius) - this->kernel_.value(least));
+    result.slope += isRough ? std::numeric_limits<double>::infinity()
+                            : size * std::abs(this->kernel_.jet(least).slopeOverRadius * least);
   }
-  return sum;
+  return result;
 }
 
 BallVerdict LevelBound::judge(const Ball& ball, double value, double slope, double curvature) const
@@ -94,14 +112,9 @@ BallVerdict LevelBound::judge(const Ball& ball, double value, double slope, doub
     return verdict;
   }
   const double turn = Safety * curvature * ball.radius;
-  double variation = (slope + 0.5 * turn) * ball.radius;
-  verdict.isSteep = slope > turn;
-  if (ball.radius > this->smoothRadius_)
-  {
-    const double nearby = this->variationNearby(ball);
-    variation += nearby;
-    verdict.isSteep = verdict.isSteep && nearby == 0.0;
-  }
+  const UnseenTerms unseen = this->unseen(ball);
+  const double variation = (slope + 0.5 * turn) * ball.radius + unseen.value;
+  verdict.isSteep = slope > turn + unseen.slope;
   verdict.isClear = std::abs(value) > variation;
   verdict.isFlat = variation <= this->rounding_;
   verdict.mayBeCritical =

@@ -20,6 +20,13 @@ struct BallVerdict
   bool mayBeCritical = false; ///< not steep, and a critical point's value may be the level's
 };
 
+/// What a Taylor polynomial does not show of u in a ball, at most.
+struct UnseenTerms
+{
+  double value = 0.0;
+  double slope = 0.0; ///< of the gradient
+};
+
 /**
  * Tells from u's Taylor polynomial at the center of a ball of radius rho whether u - alpha has
  * zeros in it: none if |u(c) - alpha| > |grad u| rho + s |Hess u| rho^2 / 2, and no critical point
@@ -27,7 +34,7 @@ struct BallVerdict
  *
  * That holds where u is smooth: in balls of a few centers at most; of larger ones nothing is known.
  * Where the kernel has a tip at its center, or is narrower than the ball, the centers nearby count
- * with all that their terms vary.
+ * with all that their terms vary, and so do terms whose support ends in the ball.
  */
 class LevelBound
 {
@@ -46,15 +53,15 @@ public:
   /// Whether the ball holds no more than a few centers.
   bool isSmall(const Ball& ball) const;
 
+  UnseenTerms unseen(const Ball& ball) const;
   /// @param value of u - level at the center @param slope |grad u| there @param curvature |Hess u|
   BallVerdict judge(const Ball& ball, double value, double slope, double curvature) const;
 
 private:
-  double variationNearby(const Ball& ball) const;
-
   const Field& field_;
   RadialKernel kernel_;
   bool isJumping_;
+  double support_;      ///< of terms
   double smoothRadius_; ///< of balls that need no look at single terms
   double margin_;
   double rounding_;

@@ -10,7 +10,7 @@ namespace
 
 constexpr double SharpFraction = 0.25; // of the linear term: up to which the rest may be unknown
 
-/// u - level around a place, as far as it is known.
+/// u - level in the ball around a place that it was expanded for, as far as it is known.
 struct Expansion
 {
   bool isKnown = false;
@@ -18,33 +18,25 @@ struct Expansion
   double value = 0.0;
   Vector3d gradient = Vector3d::Zero();
   double curvature = 0.0;
+  double unseen = 0.0;
 
-  /// What the linear polynomial may miss at that distance.
-  double rest(double distance) const
+  /// What the linear polynomial may miss in a part of the ball.
+  double rest(const Ball& part) const
   {
-    return 0.5 * LevelBound::Safety * this->curvature * distance * distance;
+    const double distance = (part.center - this->center).norm() + part.radius;
+    return 0.5 * LevelBound::Safety * this->curvature * distance * distance + this->unseen;
   }
-  bool isSharpIn(const Ball& ball) const
+  bool isSharpIn(const Ball& part) const
   {
+    return this->isKnown && this->rest(part) <= SharpFraction * this->gradient.norm() * part.radius;
+  }
+  bool excludes(const Ball& part) const
+  {
+    const double middle = this->value + this->gradient.dot(part.center - this->center);
     return this->isKnown &&
-      this->rest((ball.center - this->center).norm() + ball.radius) <=
-      SharpFraction * this->gradient.norm() * ball.radius;
+      std::abs(middle) > this->gradient.norm() * part.radius + this->rest(part);
   }
-  bool excludes(const LevelBound& bound, const Ball& ball) const;
 };
-
-bool Expansion::excludes(const LevelBound& bound, const Ball& ball) const
-{
-  if (!this->isKnown)
-  {
-    return false;
-  }
-  const Vector3d offset = ball.center - this->center;
-  const double distance = offset.norm();
-  const double least = std::abs(this->value + this->gradient.dot(offset)) - this->rest(distance);
-  const double slope = this->gradient.norm() + LevelBound::Safety * this->curvature * distance;
-  return bound.judge(ball, std::max(0.0, least), slope, this->curvature).isClear;
-}
 
 struct Candidate
 {
@@ -56,12 +48,13 @@ struct Candidate
 void examine(Candidate& candidate, const Ball& ball, const LevelBound& bound, LevelProbe& probe)
 {
   Expansion& expansion = candidate.expansion;
-  candidate.isExcluded = expansion.excludes(bound, ball);
+  candidate.isExcluded = expansion.excludes(ball);
   if (!candidate.isExcluded && !expansion.isSharpIn(ball) && bound.isSmall(ball))
   {
     const FieldJet jet = probe(ball.center, Derivatives::Hessian);
-    expansion = { true, ball.center, jet.value, jet.gradient, jet.hessian.norm() };
-    candidate.isExcluded = expansion.excludes(bound, ball);
+    expansion = { true, ball.center, jet.value, jet.gradient, jet.hessian.norm(),
+      bound.unseen(ball).value };
+    candidate.isExcluded = expansion.excludes(ball);
   }
 }
 
@@ -113,7 +106,7 @@ std::vector<Index> trianglesNear(LevelFunction& function, const LevelBound& boun
     [&](std::size_t i, LevelProbe&)
     {
       const auto corners = triangles.col(blocks.triangle(candidates[i].block));
-      candidates[i].isExcluded = candidates[i].expansion.excludes(bound,
+      candidates[i].isExcluded = candidates[i].expansion.excludes(
         ballAround(vertices.col(corners(0)), vertices.col(corners(1)), vertices.col(corners(2))));
     });
   std::vector<Index> result;

@@ -66,6 +66,21 @@ double distanceToCurves(const Vector3d& place, const std::vector<LevelSetCurve>&
   return least;
 }
 
+/// Thirty terms of both signs in the plane z = 0 and a linear function.
+Field narrowTerms(KernelType kernel, double width, double slope)
+{
+  FieldModel model;
+  model.parameters = parametersOf(Scheme::GlobalRBF, kernel);
+  model.parameters.kernelWidth = width;
+  model.centers = randomPlaces(30, 1.0, 3);
+  model.centers.row(2).setZero();
+  model.coefficients = Values::LinSpaced(30, -1.0, 1.0);
+  model.tail << 0.0, slope, 0.5 * slope, 0.0;
+  model.lowest = -1.0;
+  model.highest = 1.0;
+  return Field(model);
+}
+
 class MeshlessContourTruth : public testing::TestWithParam<KernelType>
 {
 };
@@ -147,6 +162,26 @@ TEST_P(MeshlessContourTruth, staysWithinTheToleranceOfTheLevelSet)
         });
       EXPECT_TRUE(off <= 1.05 * contours.tolerance || curve.length < longestEdge(finest))
         << "seed " << seed << ": " << off << " of " << contours.tolerance;
+    }
+  }
+}
+
+// Kernels narrower than blocks of triangles, on a plane and on a slope that a Taylor polynomial far
+// from the centers takes for all there is: all components that marching through the triangles
+// finds.
+TEST(MeshlessContourNarrow, findsWhatNarrowKernelsMake)
+{
+  const Mesh mesh = centeredSquare(100, 1.9, 0.1);
+  const Mesh finer = subdivided(mesh, 1);
+  for (const KernelType kernel :
+    { KernelType::Gaussian, KernelType::Exponential, KernelType::Wendland, KernelType::Wu })
+  {
+    for (const double slope : { 0.0, 0.3 })
+    {
+      const Field field = narrowTerms(kernel, 0.05, slope);
+      EXPECT_EQ(contoursOf(field, mesh, { 0.05 }).sets.curves.size(),
+        uniformContour(finer, field.evaluate(finer.vertices, {}).values, 0.05).size())
+        << nameOf(kernel) << ", slope " << slope;
     }
   }
 }
