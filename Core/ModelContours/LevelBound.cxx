@@ -56,23 +56,30 @@ double roundingOf(const Field& field, const RadialKernel& kernel)
 
 } // namespace
 
-LevelBound::LevelBound(const Field& field)
-  : field_(field)
-  , kernel_(field.model().parameters.kernel,
-      field.model().parameters.kernelWidth > 0.0 ? field.model().parameters.kernelWidth : 1.0)
-  , isJumping_(field.model().parameters.scheme != Scheme::GlobalRBF)
+LevelBound::LevelBound(const LevelFunction& function)
+  : field_(function.field())
+  , plateau_(function.plateau())
+  , kernel_(field_.model().parameters.kernel,
+      field_.model().parameters.kernelWidth > 0.0 ? field_.model().parameters.kernelWidth : 1.0)
+  , isJumping_(field_.model().parameters.scheme != Scheme::GlobalRBF)
   , support_(this->isJumping_ ? std::numeric_limits<double>::infinity() : this->kernel_.support())
-  , smoothRadius_(smoothRadiusOf(field.model().parameters))
+  , smoothRadius_(smoothRadiusOf(field_.model().parameters))
 {
-  const FieldModel& model = field.model();
+  const FieldModel& model = this->field_.model();
   this->margin_ = CriticalFraction * (model.highest - model.lowest);
-  this->rounding_ = roundingOf(field, this->kernel_);
+  this->rounding_ = roundingOf(this->field_, this->kernel_);
 }
 
 bool LevelBound::isSmall(const Ball& ball) const
 {
   std::vector<Index> found;
-  return this->field_.cloud().tree().gather(ball.center, ball.radius, MostCenters, found);
+  return this->field_.cloud().tree().gather(ball.center, ball.radius, MostCenters, found) &&
+    (!this->plateau_ || this->plateau_->isSum(ball) || this->plateau_->isRim(ball));
+}
+
+bool LevelBound::isClear(const Ball& ball) const
+{
+  return this->plateau_ && this->plateau_->isClear(ball);
 }
 
 UnseenTerms LevelBound::unseen(const Ball& ball) const
@@ -80,7 +87,7 @@ UnseenTerms LevelBound::unseen(const Ball& ball) const
   const bool isRough = ball.radius > this->smoothRadius_;
   const bool isCompact = std::isfinite(this->support_);
   UnseenTerms result;
-  if (!isRough && !isCompact)
+  if ((!isRough && !isCompact) || (this->plateau_ && !this->plateau_->isSum(ball)))
   {
     return result;
   }
@@ -107,7 +114,8 @@ UnseenTerms LevelBound::unseen(const Ball& ball) const
 BallVerdict LevelBound::judge(const Ball& ball, double value, double slope, double curvature) const
 {
   BallVerdict verdict;
-  if (!this->isSmall(ball))
+  verdict.isClear = this->isClear(ball);
+  if (verdict.isClear || !this->isSmall(ball))
   {
     return verdict;
   }

@@ -1,15 +1,10 @@
 #pragma once
 
+#include "Ball.h"
 #include "LevelFunction.h"
 
 namespace SurfaceScalars
 {
-
-struct Ball
-{
-  Vector3d center;
-  double radius = 0.0;
-};
 
 /// What is known of u - level in a ball, or on the part of a plane in it.
 struct BallVerdict
@@ -41,7 +36,8 @@ class LevelBound
 public:
   static constexpr double Safety = 2.0; ///< s
 
-  explicit LevelBound(const Field& field);
+  /// @param function must outlive this
+  explicit LevelBound(const LevelFunction& function);
 
   /// How close to the level a saddle's value makes it critical, in u's unit.
   double criticalMargin() const { return this->margin_; }
@@ -52,13 +48,15 @@ public:
   bool isJumping() const { return this->isJumping_; }
   /// Whether the ball holds no more than a few centers.
   bool isSmall(const Ball& ball) const;
-
+  /// Whether a plateau at the level is known to have no border in the ball; false without one.
+  bool isClear(const Ball& ball) const;
   UnseenTerms unseen(const Ball& ball) const;
   /// @param value of u - level at the center @param slope |grad u| there @param curvature |Hess u|
   BallVerdict judge(const Ball& ball, double value, double slope, double curvature) const;
 
 private:
   const Field& field_;
+  const PlateauLevel* plateau_; ///< null if there is none
   RadialKernel kernel_;
   bool isJumping_;
   double support_;      ///< of terms

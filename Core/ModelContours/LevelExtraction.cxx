@@ -73,7 +73,6 @@ LevelExtraction::LevelExtraction(const Field& field, const Points& vertices,
   , vertices_(vertices)
   , triangles_(triangles)
   , limits_(limits)
-  , bound_(field)
   , blocks_(vertices, triangles, execution)
   , isEvaluated_(static_cast<std::size_t>(vertices.cols()))
 {
@@ -112,19 +111,18 @@ std::vector<Index> LevelExtraction::beyondEnds(
 /// The patch of the selected triangles, and of those beyond that curves lead into. With saddles, if
 /// none of the candidates is one, it is not refined.
 LevelExtraction::RefinedPatch LevelExtraction::refined(LevelFunction& function,
-  std::vector<Index>& selected, const SaddleCandidates& saddles, const Execution& execution)
+  const LevelBound& bound, std::vector<Index>& selected, const SaddleCandidates& saddles,
+  const Execution& execution)
 {
   for (double done = 0.0;; done += TurnShare * (1.0 - done))
   {
     const Execution turn = execution.part(done, done + TurnShare * (1.0 - done));
     ContourPatch patch(this->vertices_, this->triangles_, selected);
-    if (!saddles.empty() &&
-      !pinSaddles(saddles, patch, function, this->bound_, turn.part(0.0, PinShare)))
+    if (!saddles.empty() && !pinSaddles(saddles, patch, function, bound, turn.part(0.0, PinShare)))
     {
       return { std::move(patch), 0 };
     }
-    ContourRefinement refinement(
-      patch, function, this->bound_, this->limits_, turn.part(PinShare, 1.0));
+    ContourRefinement refinement(patch, function, bound, this->limits_, turn.part(PinShare, 1.0));
     refinement.run();
     const std::vector<Index> added = this->beyondEnds(patch, selected);
     if (added.empty())
@@ -156,15 +154,22 @@ void LevelExtraction::measure(const RefinedPatch& refined)
 
 std::vector<LevelSetCurve> LevelExtraction::trace(double level, const Execution& execution)
 {
-  LevelFunction function(this->field_, level);
-  std::vector<Index> selected = trianglesNear(function, this->bound_, this->vertices_,
-    this->triangles_, this->blocks_, execution.part(0.0, 0.1));
-  RefinedPatch result = this->refined(function, selected, {}, execution.part(0.1, 0.5));
+  const auto plateau = PlateauLevel::find(this->field_, this->vertices_, level);
+  if (plateau && !plateau->hasRims())
+  {
+    return {};
+  }
+  LevelFunction function = plateau ? LevelFunction(*plateau) : LevelFunction(this->field_, level);
+  const LevelBound bound(function);
+  std::vector<Index> selected = trianglesNear(
+    function, bound, this->vertices_, this->triangles_, this->blocks_, execution.part(0.0, 0.1));
+  RefinedPatch result = this->refined(function, bound, selected, {}, execution.part(0.1, 0.5));
   const SaddleCandidates candidates =
-    saddleCandidates(result.patch, function, this->bound_, execution.part(0.5, 0.6));
+    saddleCandidates(result.patch, function, bound, execution.part(0.5, 0.6));
   if (!candidates.empty())
   {
-    RefinedPatch pinned = this->refined(function, selected, candidates, execution.part(0.6, 0.9));
+    RefinedPatch pinned =
+      this->refined(function, bound, selected, candidates, execution.part(0.6, 0.9));
     if (pinned.patch.hasSaddles())
     {
       result = std::move(pinned);

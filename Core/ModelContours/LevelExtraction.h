@@ -38,15 +38,14 @@ private:
   };
 
   std::vector<Index> beyondEnds(const ContourPatch& patch, const std::vector<Index>& selected);
-  RefinedPatch refined(LevelFunction& function, std::vector<Index>& selected,
-    const SaddleCandidates& saddles, const Execution& execution);
+  RefinedPatch refined(LevelFunction& function, const LevelBound& bound,
+    std::vector<Index>& selected, const SaddleCandidates& saddles, const Execution& execution);
   void measure(const RefinedPatch& refined);
 
   const Field& field_;
   const Points& vertices_;
   const Triangles& triangles_;
   RefinementLimits limits_;
-  LevelBound bound_;
   TriangleBlocks blocks_;
   std::unique_ptr<VertexStars> stars_; ///< once they have been needed
   std::vector<bool> isEvaluated_;      ///< vertices

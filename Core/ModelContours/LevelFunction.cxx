@@ -59,7 +59,9 @@ void LevelFunction::forEach(std::size_t count, const Execution& execution,
   parallelForEach(counts.size(), execution,
     [&](std::size_t block, const Poll& poll)
     {
-      LevelProbe probe(this->field_.approximation(), this->level_, this->dents_);
+      LevelProbe probe(
+        this->plateau_ ? this->plateau_->approximation() : this->field_.approximation(),
+        this->level_, this->dents_);
       const std::size_t end = std::min(count, (block + 1) * Grain);
       for (std::size_t i = block * Grain; i < end; ++i)
       {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Field.h"
+#include "PlateauLevel.h"
 
 #include <cstddef>
 #include <functional>
@@ -43,7 +44,8 @@ private:
   std::size_t count_ = 0;
 };
 
-/// u - level for one level of a field, which must outlive it; counts how often it is evaluated.
+/// u - level for one level of a field, or what has its sign (see PlateauLevel); the field, or the
+/// plateau, must outlive it. Counts how often it is evaluated.
 class LevelFunction
 {
 public:
@@ -52,8 +54,15 @@ public:
     , level_(level)
   {
   }
+  explicit LevelFunction(const PlateauLevel& plateau)
+    : field_(plateau.terms())
+    , level_(0.0)
+    , plateau_(&plateau)
+  {
+  }
 
   const Field& field() const { return this->field_; }
+  const PlateauLevel* plateau() const { return this->plateau_; } ///< null if there is none
   double level() const { return this->level_; }
   std::size_t evaluationCount() const { return this->count_; }
   /// From now on.
@@ -66,6 +75,7 @@ public:
 private:
   const Field& field_;
   double level_;
+  const PlateauLevel* plateau_ = nullptr;
   std::vector<Dent> dents_;
   std::size_t count_ = 0;
 };

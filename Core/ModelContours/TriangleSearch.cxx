@@ -48,7 +48,7 @@ struct Candidate
 void examine(Candidate& candidate, const Ball& ball, const LevelBound& bound, LevelProbe& probe)
 {
   Expansion& expansion = candidate.expansion;
-  candidate.isExcluded = expansion.excludes(ball);
+  candidate.isExcluded = bound.isClear(ball) || expansion.excludes(ball);
   if (!candidate.isExcluded && !expansion.isSharpIn(ball) && bound.isSmall(ball))
   {
     const FieldJet jet = probe(ball.center, Derivatives::Hessian);

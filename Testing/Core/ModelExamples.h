@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Field.h"
+#include "FieldTruth.h"
 #include "MeshExamples.h"
 #include "MeshlessContour.h"
 
@@ -26,6 +27,22 @@ inline Field gaussians(const Points& centers, const Values& heights, double widt
   model.lowest = std::min(0.0, heights.minCoeff());
   model.highest = std::max(1.0, heights.maxCoeff());
   return Field(model);
+}
+
+/// Terms at random centers in the plane z = 0; heights are from -1 to 1.
+inline FieldModel termsInThePlane(
+  int count, double width, const Values& heights, KernelType kernel = KernelType::Wendland)
+{
+  FieldModel model;
+  model.parameters.scheme = Scheme::GlobalRBF;
+  model.parameters.kernel = kernel;
+  model.parameters.kernelWidth = width;
+  model.centers = randomPlaces(count, 1.0, 3);
+  model.centers.row(2).setZero();
+  model.coefficients = heights;
+  model.lowest = -1.0;
+  model.highest = 1.0;
+  return model;
 }
 
 /// exp(-r^2 / width^2): its level sets are spheres around the center.

@@ -200,25 +200,6 @@ TEST(MeshlessContourInput, mayJumpAnywhere)
   }
 }
 
-// Where a kernel ends, u touches 0 on a whole curve without crossing it: work stays bounded.
-TEST(MeshlessContourInput, mayTouchTheLevel)
-{
-  FieldModel model;
-  model.parameters.scheme = Scheme::GlobalRBF;
-  model.parameters.kernel = KernelType::Wendland;
-  model.parameters.kernelWidth = 0.4;
-  model.centers = randomPlaces(10, 1.0, 3);
-  model.centers.row(2).setZero();
-  model.coefficients = Values::LinSpaced(10, -1.0, 1.0);
-  model.lowest = -1.0;
-  model.highest = 1.0;
-  // Without a bound the pieces along those curves double sixteen times.
-  const MeshlessContours contours =
-    contoursOf(Field(model), centeredSquare(20, 1.9, 0.1), { 0.0 }, 1e-9, 16);
-  EXPECT_LT(contours.evaluations, 60000000U);
-  EXPECT_GT(contours.largestDeviation, 1e-9);
-}
-
 // Within a second of being asked to, it stops: here at once.
 TEST(MeshlessContourInput, mayBeAborted)
 {

@@ -66,21 +66,6 @@ double distanceToCurves(const Vector3d& place, const std::vector<LevelSetCurve>&
   return least;
 }
 
-/// Thirty terms of both signs in the plane z = 0 and a linear function.
-Field narrowTerms(KernelType kernel, double width, double slope)
-{
-  FieldModel model;
-  model.parameters = parametersOf(Scheme::GlobalRBF, kernel);
-  model.parameters.kernelWidth = width;
-  model.centers = randomPlaces(30, 1.0, 3);
-  model.centers.row(2).setZero();
-  model.coefficients = Values::LinSpaced(30, -1.0, 1.0);
-  model.tail << 0.0, slope, 0.5 * slope, 0.0;
-  model.lowest = -1.0;
-  model.highest = 1.0;
-  return Field(model);
-}
-
 class MeshlessContourTruth : public testing::TestWithParam<KernelType>
 {
 };
@@ -169,7 +154,7 @@ TEST_P(MeshlessContourTruth, staysWithinTheToleranceOfTheLevelSet)
 // Kernels narrower than blocks of triangles, on a plane and on a slope that a Taylor polynomial far
 // from the centers takes for all there is: all components that marching through the triangles
 // finds.
-TEST(MeshlessContourNarrow, findsWhatNarrowKernelsMake)
+TEST(MeshlessContour, findsWhatNarrowKernelsMake)
 {
   const Mesh mesh = centeredSquare(100, 1.9, 0.1);
   const Mesh finer = subdivided(mesh, 1);
@@ -178,7 +163,9 @@ TEST(MeshlessContourNarrow, findsWhatNarrowKernelsMake)
   {
     for (const double slope : { 0.0, 0.3 })
     {
-      const Field field = narrowTerms(kernel, 0.05, slope);
+      FieldModel model = termsInThePlane(30, 0.05, Values::LinSpaced(30, -1.0, 1.0), kernel);
+      model.tail << 0.0, slope, 0.5 * slope, 0.0;
+      const Field field(model);
       EXPECT_EQ(contoursOf(field, mesh, { 0.05 }).sets.curves.size(),
         uniformContour(finer, field.evaluate(finer.vertices, {}).values, 0.05).size())
         << nameOf(kernel) << ", slope " << slope;
