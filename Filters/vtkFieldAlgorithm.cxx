@@ -3,6 +3,7 @@
 #include "Field.h"
 #include "FieldMemory.h"
 #include "FilterRun.h"
+#include "KernelWidth.h"
 #include "PointSetInput.h"
 #include "PropertyChoice.h"
 
@@ -57,12 +58,18 @@ int vtkFieldAlgorithm::FillInputPortInformation(int, vtkInformation* information
 const Field& vtkFieldAlgorithm::FieldOf(
   Samples&& samples, FilterRun& run, const Execution& execution)
 {
-  const Field& field = this->Memory->fieldOf(std::move(samples), parametersOf(*this), execution);
+  const FieldParameters parameters = parametersOf(*this);
+  const Field& field = this->Memory->fieldOf(std::move(samples), parameters, execution);
   const std::size_t contradictions = field.contradictionCount();
   if (contradictions > 0)
   {
     run.note("Places where samples contradict each other: " + std::to_string(contradictions) +
       ". There the mean of their values is used.");
+  }
+  const std::string remark = remarkOnWidth(parameters, field.cloud());
+  if (!remark.empty())
+  {
+    run.note(remark);
   }
   return field;
 }

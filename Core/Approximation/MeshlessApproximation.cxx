@@ -6,6 +6,7 @@
 #include "FieldChecks.h"
 #include "GlobalSystem.h"
 #include "GreedyCenters.h"
+#include "KernelWidth.h"
 #include "LevelSetCenters.h"
 #include "MinimaxValues.h"
 #include "NumberText.h"
@@ -175,6 +176,8 @@ MeshlessApproximation approximateMeshless(const ApproximationDomain& domain,
     stars, count, parameters, execution.part(0.1, 0.8));
   result.model = sum.model();
   result.condition = sum.condition();
+  result.widthRemark = remarkOnWidth(
+    fieldParametersOf(parameters), PointCloud(result.model.centers, execution.part(0.8, 0.8)));
   result.values = sum.at(domain.vertices, execution.part(0.8, result.isConstant ? 1.0 : 0.95));
   const Values misses = (result.values - values).cwiseAbs();
   result.largestError = misses.maxCoeff();
@@ -207,6 +210,10 @@ std::vector<std::string> remarksOn(const MeshlessApproximation& result)
       " centers belong to the stars of " + std::to_string(result.persistent.size()) +
       " critical points, which leaves few for the rest: raise PersistenceThreshold or "
       "SampleFraction.");
+  }
+  if (!result.isConstant && !result.widthRemark.empty())
+  {
+    remarks.push_back(result.widthRemark);
   }
   if (result.model.parameters.regularization > 0.0)
   {

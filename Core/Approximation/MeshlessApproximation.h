@@ -54,6 +54,7 @@ struct MeshlessApproximation
   double largestError = 0.0; ///< |u - f| over all vertices, f's unit
   double meanError = 0.0;
   double condition = 0.0;      ///< estimate, of the system that was solved
+  std::string widthRemark;     ///< see remarkOnWidth()
   Eigen::Index starCount = 0;  ///< centers that are critical or next to such a vertex
   Eigen::Index askedCount = 0; ///< centers that sampleFraction asks for, with the stars
 };
@@ -99,7 +100,7 @@ SURFACESCALARSCORE_EXPORT MeshlessApproximation approximateMeshless(
   const ApproximationParameters& parameters, const Execution& execution = {});
 
 /// What a user should know of a result, one sentence each: fewer centers than asked for, too few
-/// beside the stars, a system in need of regularization, critical points lost.
+/// beside the stars, a kernel too narrow, a system in need of regularization, critical points lost.
 SURFACESCALARSCORE_EXPORT std::vector<std::string> remarksOn(const MeshlessApproximation& result);
 
 /// What a GlobalRBF model takes to store: centers, coefficients and polynomial, as doubles.

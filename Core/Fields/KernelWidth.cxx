@@ -24,6 +24,7 @@ constexpr int MostNeighbors = 80;            // within a compact support
 constexpr double GridFactor = 1.5;           // from one width to the next
 constexpr int Refinements = 8;               // of the best of these
 constexpr double SmallestReciprocal = 1e-12; // of the condition
+constexpr double NarrowValue = 0.06;         // of a term at half the spacing, of that at its center
 
 /// Every so many samples along the curve on which they lie.
 struct Subset
@@ -197,6 +198,27 @@ double chooseKernelWidth(
     });
   execution.report(1.0);
   return (refined.miss < best->miss ? refined : *best).width * spacing;
+}
+
+std::string remarkOnWidth(const FieldParameters& asked, const PointCloud& centers)
+{
+  const bool hasKernel = asked.scheme == Scheme::LocalRBF || asked.scheme == Scheme::Hybrid ||
+    asked.scheme == Scheme::GlobalRBF;
+  if (!hasKernel || !(asked.kernelWidth > 0.0))
+  {
+    return {};
+  }
+  const RadialKernel kernel(asked.kernel, asked.kernelWidth);
+  const double spacing = neighborDistance(centers, SpacingNeighbors);
+  if (!kernel.dependsOnWidth() || kernel.value(0.5 * spacing) >= NarrowValue * kernel.value(0.0))
+  {
+    return {};
+  }
+  return "KernelWidth " + textOf(asked.kernelWidth) + " is too narrow for the " +
+    nameOf(asked.kernel) + " kernel: half of the centers have their eighth neighbor farther than " +
+    textOf(spacing) +
+    " away, and between centers there is little more than a linear function. "
+    "Raise it to several times that distance, or set it to 0 to have it chosen.";
 }
 
 } // namespace SurfaceScalars

@@ -2,6 +2,8 @@
 
 #include "FieldApproximation.h"
 
+#include <string>
+
 namespace SurfaceScalars
 {
 
@@ -20,5 +22,14 @@ namespace SurfaceScalars
  */
 double chooseKernelWidth(const FieldSamples& samples, KernelType kernel, double regularization,
   const Execution& execution);
+
+/**
+ * One sentence if the width that was asked for makes spikes of radial functions: at half the
+ * spacing of the centers a term is less than 0.06 of what it is at its center. Between the centers
+ * the sum then misses a function that it follows otherwise by half of what the linear polynomial
+ * alone does, or more. Empty for other widths, and for those that are chosen here.
+ */
+SURFACESCALARSCORE_EXPORT std::string remarkOnWidth(
+  const FieldParameters& asked, const PointCloud& centers);
 
 } // namespace SurfaceScalars

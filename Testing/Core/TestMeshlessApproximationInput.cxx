@@ -226,6 +226,20 @@ TEST(MeshlessApproximationInput, refusesIllConditionedKernels)
     testing::Contains(AllOf(HasSubstr("Regularization is 1e-08"), HasSubstr("condition"))));
 }
 
+// Spikes at the centers are remarked on, not taken for an approximation; a width that is chosen is
+// none of them.
+TEST(MeshlessApproximationInput, remarksOnNarrowKernels)
+{
+  const TriangleMesh mesh = octahedralSphere(20);
+  ApproximationParameters parameters;
+  parameters.sampleFraction = 0.1;
+  parameters.kernel = KernelType::Gaussian;
+  EXPECT_THAT(remarksOn(approximated(mesh, hills(mesh.points), parameters)), IsEmpty());
+  parameters.kernelWidth = 0.01;
+  EXPECT_THAT(remarksOn(approximated(mesh, hills(mesh.points), parameters)),
+    testing::Contains(AllOf(HasSubstr("KernelWidth 0.01"), HasSubstr("too narrow"))));
+}
+
 // Noise has more critical points than a dense system can interpolate: refused with their number and
 // the property that leaves them out.
 TEST(MeshlessApproximationInput, refusesTooManyStars)

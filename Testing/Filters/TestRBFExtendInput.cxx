@@ -124,6 +124,20 @@ TEST(RBFExtendInput, aKernelWidthThatMakesTheSystemSingular)
     { "the Gaussian kernel of width 100", "singular", "condition", "KernelWidth" });
 }
 
+// A width that makes spikes of the samples is warned of, with what it is and what to change.
+TEST(RBFExtendInput, aKernelWidthFarBelowTheSpacing)
+{
+  for (const int scheme : { vtkRBFExtend::GLOBAL_RBF, vtkRBFExtend::LOCAL_RBF })
+  {
+    vtkNew<vtkRBFExtend> filter;
+    filter->SetScheme(scheme);
+    filter->SetKernel(vtkRBFExtend::WENDLAND);
+    filter->SetKernelWidth(0.01);
+    expectWarning(extend(filter, waveSamples()),
+      { "KernelWidth 0.01", "too narrow", "Wendland", "set it to 0" });
+  }
+}
+
 // Samples with NaN are left out and counted; the rest is as if they were not there.
 TEST(RBFExtendInput, missingSamples)
 {
