@@ -32,7 +32,7 @@ constexpr double CellShare = 0.6; // of the whole
 std::vector<vtkIdType> cellsOfKept(
   const MeshInput& mesh, vtkPolyData* surface, const Execution& execution)
 {
-  const auto [all, cellOf, leftOut] = trianglesOf(surface, execution);
+  const SurfaceCells all = trianglesOf(surface, execution);
   const Triangles& kept = mesh.surface.triangles;
   const auto pointOf = [&](Index vertex)
   { return static_cast<Index>(mesh.surface.map.pointOfVertex[vertex]); };
@@ -41,11 +41,11 @@ std::vector<vtkIdType> cellsOfKept(
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     const auto corners = kept.col(static_cast<Eigen::Index>(i)).unaryExpr(pointOf);
-    while (all.col(next) != corners)
+    while (all.triangles.col(next) != corners)
     {
       ++next;
     }
-    cells[i] = cellOf[static_cast<std::size_t>(next++)];
+    cells[i] = all.cells[static_cast<std::size_t>(next++)];
   }
   return cells;
 }

@@ -26,16 +26,17 @@ namespace
 /// input, and kept their order.
 std::vector<vtkIdType> cellsOf(vtkPolyData* input, const MeshedSurface& surface)
 {
-  const auto [all, cells, leftOut] = trianglesOf(input, {});
+  const SurfaceCells all = trianglesOf(input, {});
   std::vector<vtkIdType> result;
-  for (Eigen::Index next = 0; next < all.cols(); ++next)
+  for (Eigen::Index next = 0; next < all.triangles.cols(); ++next)
   {
     const auto found = static_cast<Eigen::Index>(result.size());
-    const auto isCorner = [&](int corner)
-    { return surface.map.vertexOf(all(corner, next)) == surface.triangles(corner, found); };
+    const auto isCorner = [&](int corner) {
+      return surface.map.vertexOf(all.triangles(corner, next)) == surface.triangles(corner, found);
+    };
     if (found < surface.triangles.cols() && isCorner(0) && isCorner(1) && isCorner(2))
     {
-      result.push_back(cells[static_cast<std::size_t>(next)]);
+      result.push_back(all.cells[static_cast<std::size_t>(next)]);
     }
   }
   return result;
