@@ -24,11 +24,13 @@ constexpr double Separation = 1.1;     // of those of a round, in spacings of ce
 constexpr double SmallestShare = 0.01; // of that, from those before
 constexpr double Rounding = 1e-14;     // relative to the largest value
 
-// Rounds cost the cube of the centers: the more there are, the fewer and larger they are.
+// Rounds cost the cube of the centers: the more there are, the fewer and larger they are, unless
+// the sum at all vertices, which is evaluated twice anyway, takes as long.
 constexpr double SmallestGrowth = 0.03;
 constexpr double LargestGrowth = 0.2;
 constexpr double GrowthPerCube = 1.0 / 9e10;
-constexpr double LastShare = 0.2; // of the centers, for which all vertices compete
+constexpr double GrowthPerSquare = 1.0 / 180.0; // over the vertices
+constexpr double LastShare = 0.2;               // of the centers, for which all vertices compete
 constexpr double MostExchanges = 20.0;
 constexpr double ExchangesTimesCube = 1e10;
 constexpr double ExchangedShare = 0.2; // of the growth
@@ -167,8 +169,10 @@ bool GreedySelection::add(const std::vector<Index>& candidates, std::size_t coun
 /// Of a round.
 double GreedySelection::growth() const
 {
-  const double cube = std::pow(static_cast<double>(this->count_), 3.0);
-  return std::clamp(GrowthPerCube * cube, SmallestGrowth, LargestGrowth);
+  const auto count = static_cast<double>(this->count_);
+  const double growth = std::min(GrowthPerCube * count * count * count,
+    GrowthPerSquare * count * count / static_cast<double>(this->vertices_.cols()));
+  return std::clamp(growth, SmallestGrowth, LargestGrowth);
 }
 
 void GreedySelection::refine(CenterSum& sum, const Execution& execution)
