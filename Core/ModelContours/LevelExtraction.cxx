@@ -97,7 +97,8 @@ std::vector<Index> LevelExtraction::beyondEnds(
     }
     for (const Index corner : this->triangles_.col(piece->triangle))
     {
-      this->stars_->append(corner, found);
+      const VertexRange star = this->stars_->of(corner);
+      found.insert(found.end(), star.begin(), star.end());
     }
   }
   std::sort(found.begin(), found.end());

@@ -1,8 +1,10 @@
 #include "TriangleSelection.h"
 
 #include "DisjointSets.h"
+#include "VertexStars.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -11,52 +13,23 @@ namespace SurfaceScalars
 namespace
 {
 
-/// The triangles around each vertex, one list after the other.
-class Stars
-{
-public:
-  Stars(const Triangles& triangles, std::size_t vertexCount)
-    : first_(vertexCount + 1, 0)
-    , triangles_(static_cast<std::size_t>(triangles.size()))
-  {
-    const auto corners = triangles.reshaped();
-    for (const Index corner : corners)
-    {
-      ++this->first_[corner];
-    }
-    std::partial_sum(this->first_.begin(), this->first_.end(), this->first_.begin());
-    for (Eigen::Index i = corners.size(); i-- > 0;)
-    {
-      this->triangles_[--this->first_[corners(i)]] = i / 3;
-    }
-  }
-
-  const Eigen::Index* begin(Index vertex) const
-  {
-    return this->triangles_.data() + this->first_[vertex];
-  }
-  const Eigen::Index* end(Index vertex) const { return this->begin(vertex + 1); }
-
-private:
-  std::vector<std::size_t> first_;
-  std::vector<Eigen::Index> triangles_;
-};
-
 /// Takes triangles out until every vertex that lost one has a single fan.
 class HoleCutter
 {
 public:
   HoleCutter(const Triangles& triangles, std::size_t vertexCount)
     : triangles_(triangles)
-    , stars_(triangles, vertexCount)
+    , stars_(static_cast<Eigen::Index>(vertexCount), triangles)
     , kept_(static_cast<std::size_t>(triangles.cols()), 1)
   {
   }
 
   void removeStar(Index vertex)
   {
-    std::for_each(this->stars_.begin(vertex), this->stars_.end(vertex),
-      [this](Eigen::Index triangle) { this->remove(triangle); });
+    for (const Index triangle : this->stars_.of(vertex))
+    {
+      this->remove(triangle);
+    }
   }
 
   void touch(Index vertex) { this->touched_.push_back(vertex); }
@@ -102,7 +75,7 @@ private:
 
   /// The fan of each triangle, known by one of them: two that share an edge at the vertex are in
   /// one.
-  std::vector<Index> fansOf(const std::vector<Eigen::Index>& star, Index vertex) const
+  std::vector<Index> fansOf(const std::vector<Index>& star, Index vertex) const
   {
     std::vector<std::pair<Index, Index>> edges; // the other end, the triangle
     for (std::size_t i = 0; i < star.size(); ++i)
@@ -138,9 +111,10 @@ private:
 
   void keepLargestFan(Index vertex)
   {
-    std::vector<Eigen::Index> star;
-    std::copy_if(this->stars_.begin(vertex), this->stars_.end(vertex), std::back_inserter(star),
-      [this](Eigen::Index triangle) { return this->isKept(triangle); });
+    const VertexRange all = this->stars_.of(vertex);
+    std::vector<Index> star;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(star),
+      [this](Index triangle) { return this->isKept(triangle); });
     const std::vector<Index> fans = this->fansOf(star, vertex);
     std::vector<std::size_t> sizes(star.size(), 0);
     for (const Index fan : fans)
@@ -158,7 +132,7 @@ private:
   }
 
   const Triangles& triangles_;
-  Stars stars_;
+  VertexStars stars_;
   std::vector<char> kept_;
   std::vector<Index> touched_; ///< vertices that lost a triangle and may be left with several fans
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Triangles.h"
+#include "MeshTopology.h"
 
 #include <cstddef>
 #include <numeric>
@@ -9,7 +9,7 @@
 namespace SurfaceScalars
 {
 
-/// The triangles around the vertices of a mesh.
+/// The triangles around the vertices of a mesh, which need not be a manifold.
 class VertexStars
 {
 public:
@@ -29,11 +29,11 @@ public:
     }
   }
 
-  void append(Index vertex, std::vector<Index>& triangles) const
+  /// Ascending.
+  VertexRange of(Index vertex) const
   {
-    const auto at = [&](Index i)
-    { return this->triangles_.begin() + static_cast<std::ptrdiff_t>(this->starts_[i]); };
-    triangles.insert(triangles.end(), at(vertex), at(vertex + 1));
+    const Index* all = this->triangles_.data();
+    return { all + this->starts_[vertex], all + this->starts_[vertex + 1] };
   }
 
 private:
