@@ -1,13 +1,16 @@
 #include "CenterSum.h"
 
 #include "DistinctSamples.h"
+#include "Error.h"
 #include "KernelWidth.h"
 #include "KrylovSolver.h"
+#include "NumberText.h"
 #include "RadialRefusal.h"
 #include "RadialSums.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace SurfaceScalars
 {
@@ -146,10 +149,30 @@ void CenterSum::approximate(
     { return transposed(changed(changes, polling), polling); },
     [](const Values& residual, const Execution&) { return residual; } };
   Values values = centers.values;
-  values.tail(free) += unit *
-    normalEquations.solve(transposed(misses / unit, execution.part(0.5, 0.5)), LeastSquaresGoal,
-      execution.part(0.5, 1.0), 1.0);
+  try
+  {
+    values.tail(free) += unit *
+      normalEquations.solve(transposed(misses / unit, execution.part(0.5, 0.5)), LeastSquaresGoal,
+        execution.part(0.5, 1.0), 1.0);
+  }
+  catch (const Error&)
+  {
+    this->refuseLeastSquares();
+  }
   this->takeValues(values, execution.part(1.0, 1.0));
+}
+
+/// Values at centers matter too differently for the few digits that a small regularization leaves.
+void CenterSum::refuseLeastSquares() const
+{
+  const bool dependsOnWidth = this->kernel().dependsOnWidth();
+  throw InvalidInput("a kernel with which least squares can be solved at machine precision",
+    std::string("the ") + nameOf(this->kernel().type()) + " kernel" +
+      (dependsOnWidth ? " of width " + textOf(this->width_) : "") + " with a Regularization of " +
+      textOf(this->parameters_.regularization) + " (condition about " + textOf(this->condition()) +
+      ")",
+    std::string(dependsOnWidth ? "Lower KernelWidth, raise" : "Raise") +
+      " Regularization a hundredfold, to 1e-8 at least, or choose Interpolating constraints.");
 }
 
 void CenterSum::takeValues(const Values& values, const Execution& execution)

@@ -47,7 +47,7 @@ public:
 
   /// The values at stars are interpolated; those at the other centers are such that the squared
   /// misses there and at these places have the least sum.
-  /// @throws as interpolate(); Error if conjugate gradients do not get there
+  /// @throws as interpolate(); InvalidInput if conjugate gradients do not get there
   void approximate(
     const CenterSet& centers, const PlacedValues& further, const Execution& execution);
 
@@ -69,6 +69,7 @@ public:
 private:
   RadialKernel kernel() const { return { this->parameters_.kernel, this->width_ }; }
   double middle() const { return 0.5 * this->lowest_ + 0.5 * this->highest_; }
+  [[noreturn]] void refuseLeastSquares() const;
   bool isReducible() const;   ///< the width
   double largestMiss() const; ///< that counts as interpolation
   double firstWidth(const CenterSet& centers, const Execution& execution) const;

@@ -42,8 +42,6 @@ void check(const ApproximationDomain& domain, const ValuesRef& values,
   checkFieldValues(values, static_cast<std::size_t>(domain.vertices.cols()));
   require(domain.vertices.cols() > 0 && domain.vertices.allFinite(), "vertices that are finite",
     domain.vertices.cols() > 0 ? "NaN or infinity" : "none", "Choose another input.");
-  const double range = values.maxCoeff() - values.minCoeff();
-  require(std::isfinite(range), "values of a finite range", textOf(range), "Choose another unit.");
   require(parameters.sampleFraction > 0.0 && parameters.sampleFraction <= 1.0,
     "a SampleFraction above 0, at most 1", textOf(parameters.sampleFraction),
     "Use 0.01 if in doubt.");

@@ -16,6 +16,7 @@ namespace
 
 // Dense systems larger than this take seconds for each place.
 constexpr std::size_t MostNeighbors = 2000;
+constexpr double LargestValue = 1e300; // sums of terms that cancel each other are larger
 
 void requireLength(double length, const char* name)
 {
@@ -83,6 +84,9 @@ void checkFieldValues(const ValuesRef& values, std::size_t pointCount)
     "Leave points without a value out.");
   require(
     values.allFinite(), "finite values", "NaN or infinity", "Leave points without a value out.");
+  const double largest = values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0.0;
+  require(largest <= LargestValue, "values of " + textOf(LargestValue) + " at most",
+    textOf(largest), "Divide them by a power of ten.");
 }
 
 void checkFieldSamples(const PointCloud& cloud, const FieldParameters& parameters)

@@ -156,6 +156,20 @@ TEST(FieldInput, nearlyCoincidentSamples)
   EXPECT_FALSE(contains(sentence, "Lower KernelWidth")) << sentence;
 }
 
+// Values so large that sums of them overflow are refused for that, not for the kernel.
+TEST(FieldInput, refusesValuesThatOverflow)
+{
+  FieldInput input = Truth::torusInput(100, 5);
+  input.values *= 1e307;
+  for (const FieldParameters& parameters : Truth::localSchemes())
+  {
+    EXPECT_TRUE(contains(refusal(input, parameters), "values of 1e+300 at most"));
+  }
+  EXPECT_TRUE(contains(refusal(input, parametersOf(Scheme::GlobalRBF)), "power of ten"));
+  input.values *= 1e-8;
+  EXPECT_EQ(refusal(input, parametersOf(Scheme::GlobalRBF)), "accepted");
+}
+
 // What cannot be meant is refused in a sentence with the number.
 TEST(FieldInput, refusesParameters)
 {

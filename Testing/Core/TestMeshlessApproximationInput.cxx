@@ -91,8 +91,11 @@ TEST(MeshlessApproximationInput, refusesValues)
   mesh.points(1, 3) = INFINITY;
   EXPECT_THAT(refusal(mesh, values), HasSubstr("NaN or infinity"));
   mesh = octahedralSphere(4);
-  values *= std::numeric_limits<double>::max();
-  EXPECT_NE(refusal(mesh, values), "taken");
+  for (const double scale : { 2e300, 1e307 })
+  {
+    EXPECT_THAT(refusal(mesh, scale / values.lpNorm<Eigen::Infinity>() * values),
+      AllOf(HasSubstr("values of 1e+300 at most"), HasSubstr("power of ten")));
+  }
 }
 
 // A constant has no range, is reproduced to the bit, and has no critical points that take centers,
@@ -230,14 +233,34 @@ TEST(MeshlessApproximationInput, refusesIllConditionedKernels)
 // none of them.
 TEST(MeshlessApproximationInput, remarksOnNarrowKernels)
 {
-  const TriangleMesh mesh = octahedralSphere(20);
+  const TriangleMesh mesh = octahedralSphere(12);
   ApproximationParameters parameters;
-  parameters.sampleFraction = 0.1;
+  parameters.sampleFraction = 0.5;
   parameters.kernel = KernelType::Gaussian;
   EXPECT_THAT(remarksOn(approximated(mesh, hills(mesh.points), parameters)), IsEmpty());
   parameters.kernelWidth = 0.01;
   EXPECT_THAT(remarksOn(approximated(mesh, hills(mesh.points), parameters)),
     testing::Contains(AllOf(HasSubstr("KernelWidth 0.01"), HasSubstr("too narrow"))));
+}
+
+// So wide a kernel that a regularization which lets it interpolate does not for least squares: the
+// sentence says what does, and that is so.
+TEST(MeshlessApproximationInput, refusesIllConditionedLeastSquares)
+{
+  const TriangleMesh mesh = octahedralSphere(12);
+  const Values values =
+    (5.0 * mesh.points.row(0)).array().sin() * (4.0 * mesh.points.row(1)).array().cos();
+  ApproximationParameters parameters;
+  parameters.sampleFraction = 0.1;
+  parameters.levelSetConstraints = LevelSetConstraints::LeastSquares;
+  parameters.kernel = KernelType::Gaussian;
+  parameters.kernelWidth = 5.0;
+  parameters.regularization = 1e-10;
+  EXPECT_THAT(refusal(mesh, values, parameters),
+    AllOf(HasSubstr("Gaussian kernel of width 5"), HasSubstr("1e-10"), HasSubstr("condition"),
+      HasSubstr("Lower KernelWidth, raise Regularization a hundredfold")));
+  parameters.regularization = 1e-8;
+  EXPECT_EQ(refusal(mesh, values, parameters), "taken");
 }
 
 // Noise has more critical points than a dense system can interpolate: refused with their number and
