@@ -49,10 +49,11 @@ private:
 FieldJet GlobalApproximation::jet(const Vector3d& place, Derivatives derivatives) const
 {
   FieldJet result = linearJet(this->tail_, place);
+  const Points& centers = this->terms_.cloud.points(); // once, not for each term
   const auto add = [&](Index center)
   {
-    addRadialTerm(result, this->terms_.values[center], this->kernel_,
-      place - this->terms_.cloud.points().col(center), derivatives);
+    addRadialTerm(result, this->terms_.values[center], this->kernel_, place - centers.col(center),
+      derivatives);
   };
   if (std::isfinite(this->kernel_.support()))
   {
@@ -60,7 +61,8 @@ FieldJet GlobalApproximation::jet(const Vector3d& place, Derivatives derivatives
     std::for_each(this->found_.indices.begin(), this->found_.indices.end(), add);
     return result;
   }
-  for (Index center = 0; center < this->terms_.cloud.pointCount(); ++center)
+  const auto count = static_cast<Index>(centers.cols());
+  for (Index center = 0; center < count; ++center)
   {
     add(center);
   }
