@@ -52,8 +52,8 @@ FieldJet GlobalApproximation::jet(const Vector3d& place, Derivatives derivatives
   const Points& centers = this->terms_.cloud.points(); // once, not for each term
   const auto add = [&](Index center)
   {
-    addRadialTerm(result, this->terms_.values[center], this->kernel_, place - centers.col(center),
-      derivatives);
+    addRadialTerm(
+      result, this->terms_.values[center], this->kernel_, place - centers.col(center), derivatives);
   };
   if (std::isfinite(this->kernel_.support()))
   {

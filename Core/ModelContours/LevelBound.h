@@ -46,7 +46,8 @@ public:
 
   /// Whether u jumps a little where its neighborhoods change, as of local schemes.
   bool isJumping() const { return this->isJumping_; }
-  /// Whether the ball holds no more than a few centers.
+  /// Whether the ball holds no more than a few centers and, at a plateau, one function (see
+  /// PlateauLevel).
   bool isSmall(const Ball& ball) const;
   /// Whether a plateau at the level is known to have no border in the ball; false without one.
   bool isClear(const Ball& ball) const;
