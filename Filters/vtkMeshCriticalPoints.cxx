@@ -2,7 +2,7 @@
 
 #include "CriticalPointOutput.h"
 #include "FilterRun.h"
-#include "GhostMarks.h"
+#include "ListedPoints.h"
 #include "MeshInput.h"
 #include "MeshOutput.h"
 #include "ModelOnMesh.h"
@@ -10,7 +10,6 @@
 #include "PropertyChoice.h"
 
 #include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -68,87 +66,6 @@ struct Found
 {
   MeshCriticalPoints critical;
   SimplificationCurve curve; ///< of all but those that another piece lists
-};
-
-std::size_t vertexOf(const CriticalPoint& point)
-{
-  return point.input;
-}
-
-std::size_t vertexOf(const ModelCriticalPoint& point)
-{
-  return point.origin;
-}
-
-/// The pairs both of whose points are left. @param all by vertex, as are the points left
-template <class Point>
-std::vector<CriticalPair> pairsAmong(
-  const std::vector<Point>& left, const MeshCriticalPoints& all, double threshold)
-{
-  const auto positionOf = [&](std::size_t index)
-  {
-    const std::size_t vertex = all.points[index].input;
-    const auto found = std::lower_bound(left.begin(), left.end(), vertex,
-      [](const Point& point, std::size_t wanted) { return vertexOf(point) < wanted; });
-    const bool isThere = found != left.end() && vertexOf(*found) == vertex;
-    return isThere ? static_cast<std::size_t>(found - left.begin()) : left.size();
-  };
-  std::vector<CriticalPair> pairs;
-  for (const CriticalPair& pair : all.pairs)
-  {
-    const CriticalPair renamed{ positionOf(pair.extremum), positionOf(pair.saddle),
-      pair.persistence };
-    if (pair.persistence >= threshold && renamed.extremum < left.size() &&
-      renamed.saddle < left.size())
-    {
-      pairs.push_back(renamed);
-    }
-  }
-  return pairs;
-}
-
-/// Which vertices another piece of the mesh lists.
-class OtherVertices
-{
-public:
-  OtherVertices(vtkPolyData* input, const VertexMap& map)
-    : marks_(GhostMarks::ofPoints(input))
-    , map_(map)
-  {
-  }
-
-  template <class Point>
-  bool have(const Point& point) const
-  {
-    return this->marks_.have(
-      this->map_.pointOfVertex[vertexOf(point)], vtkDataSetAttributes::DUPLICATEPOINT);
-  }
-
-  template <class Point>
-  void removeFrom(std::vector<Point>& points) const
-  {
-    points.erase(std::remove_if(points.begin(), points.end(),
-                   [this](const Point& point) { return this->have(point); }),
-      points.end());
-  }
-
-  /// Lets them count nothing.
-  MeshCriticalPoints without(MeshCriticalPoints all) const
-  {
-    all.pairs.erase(
-      std::remove_if(all.pairs.begin(), all.pairs.end(),
-        [&](const CriticalPair& pair) { return this->have(all.points[pair.saddle]); }),
-      all.pairs.end());
-    for (CriticalPoint& point : all.points)
-    {
-      point.multiplicity = this->have(point) ? 0 : point.multiplicity;
-    }
-    return all;
-  }
-
-private:
-  GhostMarks marks_;
-  const VertexMap& map_;
 };
 
 Found findCriticalPoints(vtkMeshCriticalPoints& filter, const MeshInput& mesh,
