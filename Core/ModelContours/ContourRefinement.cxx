@@ -3,6 +3,7 @@
 #include "EdgeRoot.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -148,6 +149,29 @@ bool ContourRefinement::isStuck(
     (isCrossed ? before > 0.0 && piece.deviation > StuckShare * before : isFine);
 }
 
+/// What is linear between the corners: the mean of the values and gradients, and the slope of the
+/// gradient, which the turns to single corners do not show where these lie along a line.
+FieldJet ContourRefinement::meanOfCorners(const PatchPiece& piece) const
+{
+  FieldJet mean{ 0.0, Vector3d::Zero(), Eigen::Matrix3d::Zero() };
+  Eigen::Matrix<double, 3, 2> edges;
+  Eigen::Matrix<double, 3, 2> turns;
+  const PatchVertex& first = this->patch_.vertices[piece.corners[0]];
+  for (int i = 0; i < 3; ++i)
+  {
+    const PatchVertex& vertex = this->patch_.vertices[piece.corners[static_cast<std::size_t>(i)]];
+    mean.value += vertex.height / 3.0;
+    mean.gradient += vertex.gradient / 3.0;
+    if (i > 0)
+    {
+      edges.col(i - 1) = vertex.place - first.place;
+      turns.col(i - 1) = vertex.gradient - first.gradient;
+    }
+  }
+  mean.hessian = turns * edges.completeOrthogonalDecomposition().pseudoInverse();
+  return mean;
+}
+
 /// From the corners alone where u is smooth on a far larger scale: the mean of the values there is
 /// off by no more than the Taylor polynomial.
 ContourRefinement::PieceShape ContourRefinement::shapeOf(
@@ -158,12 +182,7 @@ ContourRefinement::PieceShape ContourRefinement::shapeOf(
   FieldJet jet;
   if (shape.isFine)
   {
-    jet = { 0.0, Vector3d::Zero(), Eigen::Matrix3d::Zero() };
-    for (const Index corner : piece.corners)
-    {
-      jet.value += this->patch_.vertices[corner].height / 3.0;
-      jet.gradient += this->patch_.vertices[corner].gradient / 3.0;
-    }
+    jet = this->meanOfCorners(piece);
   }
   else
   {

@@ -50,6 +50,7 @@ private:
     double curvature = 0.0;
     bool isFine = false; ///< known from the corners
   };
+  FieldJet meanOfCorners(const PatchPiece& piece) const;
   PieceShape shapeOf(
     const PatchPiece& piece, const Ball& ball, const Vector3d& normal, LevelProbe& probe) const;
   bool isStuck(const PatchPiece& piece, bool isCrossed, double before, bool isFine) const;
