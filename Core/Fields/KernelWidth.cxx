@@ -204,7 +204,7 @@ std::string remarkOnWidth(const FieldParameters& asked, const PointCloud& center
 {
   const bool hasKernel = asked.scheme == Scheme::LocalRBF || asked.scheme == Scheme::Hybrid ||
     asked.scheme == Scheme::GlobalRBF;
-  if (!hasKernel || !(asked.kernelWidth > 0.0))
+  if (!hasKernel || !(asked.kernelWidth > 0.0) || centers.pointCount() < SpacingNeighbors)
   {
     return {};
   }
@@ -217,7 +217,7 @@ std::string remarkOnWidth(const FieldParameters& asked, const PointCloud& center
   return "KernelWidth " + textOf(asked.kernelWidth) + " is too narrow for the " +
     nameOf(asked.kernel) + " kernel: half of the centers have their eighth neighbor farther than " +
     textOf(spacing) +
-    " away, and between centers there is little more than a linear function. "
+    " away, and between centers there may be little more than a linear function. "
     "Raise it to several times that distance, or set it to 0 to have it chosen.";
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace SurfaceScalars
 namespace
 {
 
-constexpr double RoundingFraction = 1e-12; // of the largest value
+// Of the level and of the largest term: what is between is a level of its own.
+constexpr double RoundingFraction = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// The centers whose coefficients have a sign.
 Points centersOf(const Field& terms, double sign)
@@ -93,8 +95,9 @@ std::unique_ptr<PlateauLevel> PlateauLevel::find(
   const Vector3d shift = field.cloud().origin() - model.tailOrigin;
   const auto polynomial =
     (model.tail.tail<3>().transpose() * (vertices.colwise() + shift)).array() + model.tail[0];
-  const double rounding =
-    RoundingFraction * std::max(std::abs(model.lowest), std::abs(model.highest));
+  const double largestTerm = model.coefficients.lpNorm<Eigen::Infinity>() *
+    RadialKernel(model.parameters.kernel, model.parameters.kernelWidth).value(0.0);
+  const double rounding = RoundingFraction * std::max(std::abs(level), largestTerm);
   if (!((polynomial - level).abs().maxCoeff() <= rounding))
   {
     return {};

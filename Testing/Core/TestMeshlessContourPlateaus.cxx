@@ -53,6 +53,32 @@ TEST(MeshlessContourPlateaus, endWhereSmallerValuesBegin)
   }
 }
 
+// A level beside the plateau, however close in terms of a large offset, has a curve of its own: the
+// circle where the term has that value.
+TEST(MeshlessContourPlateaus, areNotLevelsBesideThem)
+{
+  constexpr double offset = 1048576.0;
+  constexpr double height = 1.0 / 1024.0;
+  const Mesh mesh = centeredSquare(9, 1.9, 0.2);
+  for (const double sign : { -1.0, 1.0 })
+  {
+    FieldModel model = oneTerm(sign * height, KernelType::Wendland, offset).model();
+    model.lowest = offset - height;
+    model.highest = offset + height;
+    const Field field(model);
+    const double share = 1.0 / 1024.0;
+    const MeshlessContours contours =
+      contoursOf(field, mesh, { offset + sign * share * height }, 1e-4, 12);
+    ASSERT_EQ(contours.sets.curves.size(), 1U) << sign;
+    const Vector3d center = model.centers.col(0);
+    const RadialKernel kernel(KernelType::Wendland, Width);
+    for (const LevelSetPoint& point : contours.sets.curves.front().points)
+    {
+      EXPECT_NEAR(kernel.value((point.position - center).norm()), share * kernel.value(0.0), 1e-6);
+    }
+  }
+}
+
 // Of many terms: each point of a curve is at the end of a negative term where no other term is, or
 // a zero where terms of both signs are; and there are all components that marching through the
 // triangles finds. It does not take long.
