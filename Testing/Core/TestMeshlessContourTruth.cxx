@@ -151,6 +151,38 @@ TEST_P(MeshlessContourTruth, staysWithinTheToleranceOfTheLevelSet)
   }
 }
 
+// On slivers, too, whose corners lie all but along a line: the level sets of a bump in the plane
+// are circles, from which no segment's middle is farther than the tolerance.
+TEST(MeshlessContour, staysWithinTheToleranceOnSlivers)
+{
+  constexpr double tolerance = 1e-4;
+  int segments = 0;
+  for (unsigned seed = 1; seed <= 1000; ++seed)
+  {
+    Random random(seed);
+    Mesh sliver{ Points(3, 3), Triangles(3, 1) };
+    const double height = 0.02 + 0.3 * random.uniform();
+    sliver.vertices << 0.0, 1.0, random.uniform(), 0.0, 0.0, height, 0.0, 0.0, 0.0;
+    sliver.triangles << 0, 1, 2;
+    const double x = random.uniform(-0.5, 1.5);
+    const Vector3d center(x, random.uniform(-0.5, 0.5), 0.0);
+    const Vector3d inside(0.3 + 0.4 * random.uniform(), 0.3 * height, 0.0);
+    const double radius = (inside - center).norm();
+    const MeshlessContours contours =
+      contoursOf(bump(center, 1.0), sliver, { std::exp(-radius * radius) }, tolerance, 12);
+    for (const LevelSetCurve& curve : contours.sets.curves)
+    {
+      for (std::size_t i = 1; i < curve.points.size(); ++i)
+      {
+        const Vector3d middle = 0.5 * (curve.points[i - 1].position + curve.points[i].position);
+        ASSERT_NEAR((middle - center).norm(), radius, 1.01 * tolerance) << "seed " << seed;
+        ++segments;
+      }
+    }
+  }
+  EXPECT_GT(segments, 20000);
+}
+
 // Kernels narrower than blocks of triangles, on a plane and on a slope that a Taylor polynomial far
 // from the centers takes for all there is: all components that marching through the triangles
 // finds.
