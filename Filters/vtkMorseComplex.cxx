@@ -2,20 +2,18 @@
 
 #include "CriticalPointOutput.h"
 #include "FilterRun.h"
-#include "GhostMarks.h"
+#include "ListedPoints.h"
 #include "MeshInput.h"
 #include "MeshOutput.h"
 #include "MorseComplex.h"
 #include "PropertyChoice.h"
 #include "SeparatrixOutput.h"
 
-#include "vtkDataSetAttributes.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -29,18 +27,6 @@ namespace
 // The shares of the whole that end with reading and topology.
 constexpr double ReadShare = 0.2;
 constexpr double TopologyShare = 0.4;
-
-/// The nodes that no other piece of the mesh counts.
-std::vector<CriticalPoint> ownNodes(
-  const MorseComplex& complex, const VertexMap& map, vtkPolyData* input)
-{
-  const GhostMarks marks = GhostMarks::ofPoints(input);
-  std::vector<CriticalPoint> own;
-  std::copy_if(complex.nodes.begin(), complex.nodes.end(), std::back_inserter(own),
-    [&](const CriticalPoint& node)
-    { return !marks.have(map.pointOfVertex[node.input], vtkDataSetAttributes::DUPLICATEPOINT); });
-  return own;
-}
 
 /// Leaves out the paths of saddles that are not among the own nodes, and nodes that are neither
 /// among these nor on a path.
@@ -105,7 +91,8 @@ int vtkMorseComplex::RequestData(
       const double range = mesh.values.maxCoeff() - mesh.values.minCoeff();
       MorseComplex complex = morseComplex(mesh.surface.vertices, topology, mesh.values,
         this->PersistenceThreshold * range, execution.part(TopologyShare, 1.0));
-      const std::vector<CriticalPoint> own = ownNodes(complex, mesh.surface.map, input);
+      std::vector<CriticalPoint> own = complex.nodes;
+      OtherVertices(input, mesh.surface.map).removeFrom(own);
       leaveToOthers(complex, own);
 
       writeSeparatrices(complex, mesh, run, vtkPolyData::GetData(outputs, 0));
