@@ -36,17 +36,7 @@ PROXIES = {
         "enumerations": {
             "Scheme": {"Linear": 0, "ExplicitMLS": 1, "ParameterizedMLS": 2, "LocalRBF": 3, "Hybrid": 4},
             "SurfaceModel": {"MLS": 0, "RBF": 1, "Unprojected": 2},
-            "Kernel": {
-                "Gaussian": 0,
-                "Exponential": 1,
-                "Linear": 2,
-                "Cubic": 3,
-                "ThinPlate": 4,
-                "Multiquadric": 5,
-                "InverseMultiquadric": 6,
-                "Wendland": 7,
-                "Wu": 8,
-            },
+            "Kernel": KERNELS,
             "Fit": {"Interpolate": 0, "LeastSquares": 1},
         },
         "defaults": {
