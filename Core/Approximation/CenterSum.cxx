@@ -165,13 +165,11 @@ void CenterSum::approximate(
 /// Values at centers matter too differently for the few digits that a small regularization leaves.
 void CenterSum::refuseLeastSquares() const
 {
-  const bool dependsOnWidth = this->kernel().dependsOnWidth();
   throw InvalidInput("a kernel with which least squares can be solved at machine precision",
-    std::string("the ") + nameOf(this->kernel().type()) + " kernel" +
-      (dependsOnWidth ? " of width " + textOf(this->width_) : "") + " with a Regularization of " +
+    "the " + textOf(this->kernel()) + " with a Regularization of " +
       textOf(this->parameters_.regularization) + " (condition about " + textOf(this->condition()) +
       ")",
-    std::string(dependsOnWidth ? "Lower KernelWidth, raise" : "Raise") +
+    std::string(this->kernel().dependsOnWidth() ? "Lower KernelWidth, raise" : "Raise") +
       " Regularization a hundredfold, to 1e-8 at least, or choose Interpolating constraints.");
 }
 

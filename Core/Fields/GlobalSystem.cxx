@@ -195,8 +195,7 @@ Values GlobalSystem::leaveOneOutErrors(const Values& values, const Execution& ex
   if (!this->dense_)
   {
     throw InvalidInput("a dense system for leave-one-out errors",
-      std::string("the sparse one of the ") + nameOf(this->kernel_.type()) + " kernel of width " +
-        textOf(this->kernel_.width()),
+      "the sparse one of the " + textOf(this->kernel_),
       this->cloud_.pointCount() <= MostDenseCenters
         ? "Raise KernelWidth, or choose a Kernel without compact support."
         : "Thin the samples to at most " + std::to_string(MostDenseCenters) +

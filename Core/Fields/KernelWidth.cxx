@@ -209,8 +209,12 @@ std::string remarkOnWidth(const FieldParameters& asked, const PointCloud& center
     return {};
   }
   const RadialKernel kernel(asked.kernel, asked.kernelWidth);
+  if (!kernel.dependsOnWidth())
+  {
+    return {};
+  }
   const double spacing = neighborDistance(centers, SpacingNeighbors);
-  if (!kernel.dependsOnWidth() || kernel.value(0.5 * spacing) >= NarrowValue * kernel.value(0.0))
+  if (kernel.value(0.5 * spacing) >= NarrowValue * kernel.value(0.0))
   {
     return {};
   }

@@ -10,6 +10,13 @@
 namespace SurfaceScalars
 {
 
+/// "Gaussian kernel of width 5", for sentences.
+inline std::string textOf(const RadialKernel& kernel)
+{
+  return std::string(nameOf(kernel.type())) + " kernel" +
+    (kernel.dependsOnWidth() ? " of width " + textOf(kernel.width()) : "");
+}
+
 /// Says what to change about a system that cannot be solved.
 /// @param condition an estimate; infinite if the system is singular @throws InvalidInput
 [[noreturn]] inline void refuseSystem(
@@ -28,8 +35,7 @@ namespace SurfaceScalars
              "nearly coincide.";
   }
   throw InvalidInput("a kernel whose system can be solved at machine precision",
-    found + " with the " + nameOf(kernel.type()) + " kernel" +
-      (kernel.dependsOnWidth() ? " of width " + textOf(kernel.width()) : "") + " (condition " +
+    found + " with the " + textOf(kernel) + " (condition " +
       (std::isfinite(condition) ? "about " + textOf(condition) : "infinite") + ")",
     remedy);
 }
